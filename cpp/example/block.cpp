@@ -22,9 +22,9 @@ int main() {
   const ElasticSystem system = elastic_system(A, b);
 
   const ContactLine line = contact_line(mesh, topology.facets, {bottom});
-  ContactLaw law;
+  ContactLaw<2> law;
   law.friction = VectorXd::Constant(line.node_count(), 0.3);
-  const ContactSolution solution = solve_contact(mesh, line, law, system);
+  const ContactSolution<2> solution = solve_contact(mesh, line, law, system);
   const BodyLoadsOfCells<2> no_loads =
       BodyLoadsOfCells<2>::Zero(6, mesh.cell_count());
   const SolvedBody<2> solved{

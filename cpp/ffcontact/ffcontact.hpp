@@ -27,8 +27,7 @@
 /// Units: mm, N, MPa; plane problems of thickness 1 mm. Signs: n outward, t = (-n2, n1)
 /// (of solids ContactSurface::frame), compression negative, u_n <= 0 does not penetrate.
 #include "ffcontact/bounds/quantity_bounds.hpp"
-#include "ffcontact/contact/contact_solution.hpp"
-#include "ffcontact/contact/surface_solution.hpp"
+#include "ffcontact/contact/solve_contact.hpp"
 #include "ffcontact/contact/uniqueness/coulomb_constant.hpp"
 #include "ffcontact/contact/uniqueness/critical_friction.hpp"
 #include "ffcontact/elastic/dofs.hpp"

@@ -15,7 +15,7 @@ void Judged::factorise(const ContactLine& line) {
 }
 
 Judged judged_of(const SolvedContact& solved) {
-  const ContactSolution& solution = solved.solution;
+  const ContactSolution<2>& solution = solved.solution;
   Judged judged;
   judged.system = solved.system;
   judged.body.displacement = solution.displacement;

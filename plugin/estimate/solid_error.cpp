@@ -98,7 +98,7 @@ void report(Stack stack, const NamedArguments& named,
 }
 
 /// The nodes that slip nowhere, as stick= says.
-Flags held_nodes(const SurfaceSolution& solution, StuckNodes stuck) {
+Flags held_nodes(const ContactSolution<3>& solution, StuckNodes stuck) {
   Flags held(solution.state.size(), 0);
   if (stuck == StuckNodes::stick)
     for (std::size_t i = 0; i < held.size(); ++i)

@@ -47,7 +47,7 @@ class ContactProject : public E_F0mps {
  private:
   long run(Stack stack) const {
     const ContactProblem<2>& problem = *stated_contact(stack, contact_).problem;
-    ContactLaw law = problem.law;
+    ContactLaw<2> law = problem.law;
     law.multiplier = multiplier_of(stack, named_);
     KN<double>*pn = value_of<KN<double>*>(stack, normal_),
     *pt = value_of<KN<double>*>(stack, tangential_);

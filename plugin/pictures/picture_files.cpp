@@ -129,7 +129,7 @@ void write_results(const NodalResults& nodes, int i, TextFile& text) {
        << nodes.slip[i];
 }
 
-void write_law(const ContactLaw& law, int i, TextFile& text) {
+void write_law(const ContactLaw<2>& law, int i, TextFile& text) {
   const VectorXd& limit = law.tresca() ? law.slip_bound : law.shear_limit;
   text << " " << value_or(law.friction, i, 0) << " "
        << value_or(limit, i, infinity);
@@ -138,7 +138,7 @@ void write_law(const ContactLaw& law, int i, TextFile& text) {
 void write_nodes(const fs::path& file, long step,
                  const ContactProblem<2>& problem,
                  const SolvedContact& solved) {
-  const ContactLaw& law = solved.law;
+  const ContactLaw<2>& law = solved.law;
   TextFile text(file);
   text << "# step " << step << " law " << name_of_law(law);
   if (solved.estimate)

@@ -71,7 +71,7 @@ void write_stress(const fs::path& file, const ContactProblem<3>& problem,
 std::vector<VtuField> nodal_fields(const ContactProblem<3>& problem,
                                    const SolvedSolid& solved) {
   const SolidResults& nodes = solved.nodes;
-  const SurfaceLaw& law = solved.law;
+  const ContactLaw<3>& law = solved.law;
   const int count = problem.contact.node_count();
   MatrixXd bounds(2, count), state(1, count);
   for (int i = 0; i < count; ++i) {

@@ -27,7 +27,7 @@ struct OfSurface {};
 template <int d>
 struct Carrier : std::conditional_t<d == 2, OfLine, OfSurface> {
   LineOrSurface<d> contact;
-  LawOfContact<d> law;  ///< multiplier left at its default
+  ContactLaw<d> law;  ///< multiplier left at its default
   KineticFriction kinetic;
   /// of each node, or nearest to what it faces, in the mesh of the body that comes first
   std::vector<long> own_vertex;
@@ -59,7 +59,7 @@ template <int d>
 void append_stated(const Carrier<d>& more, Carrier<d>& all) {
   all.own_vertex.insert(all.own_vertex.end(), more.own_vertex.begin(),
                         more.own_vertex.end());
-  using Law = LawOfContact<d>;
+  using Law = ContactLaw<d>;
   for (VectorXd Law::*nodal :
        {&Law::friction, &Law::slip_bound, &Law::shear_limit, &Law::gap})
     append(more.law.*nodal, all.law.*nodal);

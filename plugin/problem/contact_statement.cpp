@@ -156,10 +156,10 @@ void put_law(Stack stack, const NamedArguments& named, const BodyPart<2>& part,
              const ContactLine& line, const StatedPlaces& places,
              Carrier<2>& carrier) {
   if (is_bonded(stack, named)) {
-    carrier.law = bonded_law(line.node_count());
+    carrier.law = bonded_law<2>(line.node_count());
     return;
   }
-  ContactLaw& law = carrier.law;
+  ContactLaw<2>& law = carrier.law;
   KineticFriction& kinetic = carrier.kinetic;
   const auto read = [&](const char* name, VectorXd& nodal,
                         EdgeRange& between_nodes) {

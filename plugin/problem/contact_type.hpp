@@ -16,8 +16,8 @@ namespace ffcontact::plugin {
 /// A solution with the system it belongs to.
 struct SolvedContact {
   std::shared_ptr<const ElasticSystem> system;
-  ContactLaw law;  ///< with the multiplier, and u_t of the load step before
-  ContactSolution solution;
+  ContactLaw<2> law;  ///< with the multiplier, and u_t of the load step before
+  ContactSolution<2> solution;
   /// of a tool: its motion (x, y, turn), and t . z at the nodes [mm]; empty: none
   VectorXd motion, tool;
   std::optional<RigidTool> driven{};  ///< it, as it was pushed

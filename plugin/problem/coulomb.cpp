@@ -2,19 +2,20 @@
 #include "problem/coulomb.hpp"
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/law/cones_of_law.hpp"
 #include "ffcontact/contact/law/nodal_pressures.hpp"
 #include "ffcontact/contact/uniqueness/critical_friction.hpp"
 
 namespace ffcontact::plugin {
 
-ContactForces contact_forces(const ContactLaw& law,
-                             const ContactSolution& solution) {
+ContactForces contact_forces(const ContactLaw<2>& law,
+                             const ContactSolution<2>& solution) {
   return {
       law.multiplier == Multiplier::force ? solution.force : solution.pressure,
       solution.force};
 }
 
-ContactForces contact_forces(const ContactLine& line, const ContactLaw& law,
+ContactForces contact_forces(const ContactLine& line, const ContactLaw<2>& law,
                              const Matrix2Xd& given) {
   if (law.multiplier == Multiplier::pressure)
     return {given, forces_of(line, given)};
@@ -34,7 +35,7 @@ const char* stuck_in_words(StuckNodes stuck) {
 }
 
 CoulombConstant coulomb_constant_of(const ContactLine& line,
-                                    const ContactLaw& law,
+                                    const ContactLaw<2>& law,
                                     const CondensedContact& contact,
                                     const VectorXd& displacement,
                                     const ContactForces& forces,
@@ -55,7 +56,7 @@ CoulombConstant coulomb_constant_of(const ContactLine& line,
 }
 
 std::shared_ptr<const CondensedContact> contact_of_forces(
-    const ContactLine& line, ContactLaw law, const ElasticSystem& system,
+    const ContactLine& line, ContactLaw<2> law, const ElasticSystem& system,
     const CondensedStiffness& stiffness,
     const std::shared_ptr<const CondensedContact>& solved) {
   if (solved && law.multiplier == Multiplier::force) return solved;
@@ -66,7 +67,7 @@ std::shared_ptr<const CondensedContact> contact_of_forces(
 
 double critical_friction_of(const ContactProblem<2>& problem,
                             const SolvedContact& solved) {
-  const ContactSolution& solution = solved.solution;
+  const ContactSolution<2>& solution = solved.solution;
   return critical_friction(
       *solution.contact, nodal_law(solved.law, problem.contact), solution.state,
       contact_forces(solved.law, solution).multiplier.reshaped());

@@ -12,10 +12,10 @@ namespace ffcontact::plugin {
 struct ContactForces {
   Matrix2Xd multiplier, force;
 };
-ContactForces contact_forces(const ContactLaw& law,
-                             const ContactSolution& solution);
+ContactForces contact_forces(const ContactLaw<2>& law,
+                             const ContactSolution<2>& solution);
 /// Of the pressures that a script gives.
-ContactForces contact_forces(const ContactLine& line, const ContactLaw& law,
+ContactForces contact_forces(const ContactLine& line, const ContactLaw<2>& law,
                              const Matrix2Xd& given);
 
 /// Reads stick=: "free" (default) or "held".
@@ -30,7 +30,7 @@ struct CoulombConstant {
 };
 /// @param contact  of Multiplier::force
 CoulombConstant coulomb_constant_of(const ContactLine& line,
-                                    const ContactLaw& law,
+                                    const ContactLaw<2>& law,
                                     const CondensedContact& contact,
                                     const VectorXd& displacement,
                                     const ContactForces& forces,
@@ -39,7 +39,7 @@ CoulombConstant coulomb_constant_of(const ContactLine& line,
 /// The condensed relation of Multiplier::force, without another factorisation.
 /// @param solved  that of `law`, if there is one
 std::shared_ptr<const CondensedContact> contact_of_forces(
-    const ContactLine& line, ContactLaw law, const ElasticSystem& system,
+    const ContactLine& line, ContactLaw<2> law, const ElasticSystem& system,
     const CondensedStiffness& stiffness,
     const std::shared_ptr<const CondensedContact>& solved);
 

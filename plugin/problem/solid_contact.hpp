@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "ffcontact/contact/surface_solution.hpp"
+#include "ffcontact/contact/contact_solution.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 //
 #include "problem/contact_problem.hpp"
@@ -16,8 +16,8 @@ namespace ffcontact::plugin {
 /// A solution with the system it belongs to.
 struct SolvedSolid {
   std::shared_ptr<const ElasticSystem> system;
-  SurfaceLaw law;  ///< with u_t of the load step before
-  SurfaceSolution solution;
+  ContactLaw<3> law;  ///< with u_t of the load step before
+  ContactSolution<3> solution;
   BodyLoadsOfCells<3> holding;  ///< that of HeldSliding, which the system has
   SolidResults nodes;
   /// what contacterror made of it last, and of what; null before

@@ -72,9 +72,9 @@ void put_law(const Statement<3>& said, int body,
              const std::vector<FacePlace>& places, VectorXd gap,
              Carrier<3>& carrier) {
   const NamedArguments& named = said.named;
-  SurfaceLaw& law = carrier.law;
+  ContactLaw<3>& law = carrier.law;
   if (said.bonded) {
-    law = bonded_law<SurfaceLaw>(count_of(places));
+    law = bonded_law<3>(count_of(places));
     return;
   }
   const auto read = [&](const char* name) {

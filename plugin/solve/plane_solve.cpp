@@ -6,6 +6,7 @@
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/law/nodal_pressures.hpp"
+#include "ffcontact/contact/solve_contact.hpp"
 #include "ffcontact/mesh/crossings.hpp"
 //
 #include "problem/coulomb.hpp"
@@ -32,8 +33,8 @@ void put_vectors(const Matrix2Xd& normal, NodalResults& results) {
 /// Results at the nodes: pn and pt are the multipliers of M'_h, for M''_h forces over
 /// lengths.
 NodalResults nodal_results(const ContactProblem<2>& problem,
-                           const ContactLaw& law, const Flags& prescribed,
-                           const ContactSolution& solution) {
+                           const ContactLaw<2>& law, const Flags& prescribed,
+                           const ContactSolution<2>& solution) {
   const ContactLine& line = problem.contact;
   const Matrix2Xd pressure =
       law.multiplier == Multiplier::pressure
@@ -56,7 +57,7 @@ NodalResults nodal_results(const ContactProblem<2>& problem,
 
 /// u_t without what springs back of it.
 VectorXd slid_on_layer(const ContactLine& line, const SolvedContact& solved) {
-  const ContactSolution& found = solved.solution;
+  const ContactSolution<2>& found = solved.solution;
   const Matrix2Xd pressure = lumped_pressures(line, found.force);
   return (contact_components(line, found.displacement) +
           solved.law.layer.given_way(pressure))
@@ -101,10 +102,10 @@ ContactStates last_states(const Contact& contact) {
   return states_at(stated, contact.last_abscissa, contact.last_states);
 }
 
-ContactLaw law_of(const SolveCall& call, const Contact& contact,
-                  const ContactStates& last) {
+ContactLaw<2> law_of(const SolveCall& call, const Contact& contact,
+                     const ContactStates& last) {
   const ContactLine& line = contact.problem->contact;
-  ContactLaw law = contact.problem->law;
+  ContactLaw<2> law = contact.problem->law;
   law.multiplier = multiplier_of(call.stack, call.named);
   if (law.bonded) return law;
   return law_of_step(call, contact, line, last, std::move(law),
@@ -156,7 +157,7 @@ long solve_plane(const SolveCall& call, Contact& contact) {
     return 0;
   }
   take_out(problem.mesh, sliding, solved.solution.displacement);
-  const ContactSolution& solution = solved.solution;
+  const ContactSolution<2>& solution = solved.solution;
   if (!solution.accepted(settings) && !call.named.given("status"))
     refuse_solution(
         answer_of(solution),

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/law/nodal_pressures.hpp"
+#include "ffcontact/contact/solve_contact.hpp"
 //
 #include "problem/contact_type.hpp"
 #include "problem/result_names.hpp"
@@ -26,8 +28,9 @@ Matrix3Xd vectors(const ContactSurface& surface, const Matrix3Xd& components) {
   return vectors;
 }
 
-SolidResults nodal_results(const ContactSurface& surface, const SurfaceLaw& law,
-                           const SurfaceSolution& solution) {
+SolidResults nodal_results(const ContactSurface& surface,
+                           const ContactLaw<3>& law,
+                           const ContactSolution<3>& solution) {
   const Matrix3Xd& force = solution.force;
   const Matrix3Xd pressure = lumped_pressures(surface, force);
   const Matrix3Xd vector = vectors(surface, force);
@@ -121,15 +124,15 @@ PlacedAnswer placed_answer(const ContactProblem<3>& problem,
 
 /// u_t without what springs back of it.
 Matrix2Xd slid(const ContactSurface& surface, const SolvedSolid& solved) {
-  const SurfaceSolution& found = solved.solution;
+  const ContactSolution<3>& found = solved.solution;
   const Matrix3Xd moved =
       contact_components(surface, found.displacement) +
       solved.law.layer.given_way(lumped_pressures(surface, found.force));
   return moved.bottomRows<2>();
 }
 
-SurfaceLaw law_of(const SolveCall& call, const SolidContact& contact,
-                  const ContactStates& last) {
+ContactLaw<3> law_of(const SolveCall& call, const SolidContact& contact,
+                     const ContactStates& last) {
   const ContactSurface& surface = contact.problem->contact;
   return law_of_step(call, contact, surface, last, contact.problem->law,
                      [&] { return slid(surface, *contact.solved); });
@@ -167,7 +170,7 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
   const ElasticSystem& system = *solved.system;
   Guess last = guess_at(problem, contact.last);
   solved.law = law_of(call, contact, last.state);
-  const SurfaceLaw& law = solved.law;
+  const ContactLaw<3>& law = solved.law;
   // how a step slipped says little of the next one, and vectors turn with the side
   if (law.previous.size() > 0 || problem.side != contact.last.side)
     last.rows.reset();
@@ -187,7 +190,7 @@ long solve_solid(const SolveCall& call, SolidContact& contact) {
     return 0;
   }
   take_out(problem.mesh, sliding, solved.solution.displacement);
-  const SurfaceSolution& solution = solved.solution;
+  const ContactSolution<3>& solution = solved.solution;
   if (!solution.accepted(settings) && !call.named.given("status"))
     refuse_solution(
         answer_of(solution),

@@ -7,6 +7,7 @@
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/law/cones_of_law.hpp"
 //
 #include "problem/coulomb.hpp"
 

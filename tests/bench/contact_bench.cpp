@@ -4,6 +4,8 @@
 // the shortest of five runs in random order; memory is the peak of a process of its own
 // on top of mesh and matrix.
 #include "comparison.hpp"
+#include "ffcontact/contact/law/cones_of_law.hpp"
+#include "ffcontact/contact/solve_contact.hpp"
 #include "ffcontact/contact/uniqueness/coulomb_constant.hpp"
 #include "ffcontact/contact/uniqueness/critical_friction.hpp"
 #include "linear_solve.hpp"
@@ -19,7 +21,7 @@ Case contact(Multiplier multiplier) {
   return [multiplier](int n) {
     const test::Problem& body = problem(n);
     const ElasticSystem& system = elastic_system_of(n);
-    ContactLaw law = body.law;
+    ContactLaw<2> law = body.law;
     law.multiplier = multiplier;
     return [&body, &system, law] {
       const ContactSettings settings;
@@ -32,7 +34,7 @@ Case contact(Multiplier multiplier) {
 
 /// What a solution tells of Coulomb's law: kappa, and the critical coefficient.
 std::function<void()> coulomb(int n) {
-  static std::map<int, ContactSolution> solutions;
+  static std::map<int, ContactSolution<2>> solutions;
   const test::Problem& body = problem(n);
   if (!solutions.count(n))
     solutions.emplace(

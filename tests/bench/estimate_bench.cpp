@@ -3,6 +3,7 @@
 // matrix: example 1 of [CHH01] on finer grids, multiplier force. Set OMP_NUM_THREADS for
 // the number of threads.
 #include "comparison.hpp"
+#include "ffcontact/contact/solve_contact.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "linear_solve.hpp"
 
@@ -15,7 +16,7 @@ std::function<void()> linear_solve(int n) {
 
 SolvedBody<2> solved_body(const test::Problem& problem,
                           const ElasticSystem& system) {
-  const ContactSolution solution =
+  const ContactSolution<2> solution =
       solve_contact(problem.mesh, problem.line, problem.law, system);
   SolvedBody<2> body;
   body.hooke = problem.hooke;

@@ -5,6 +5,7 @@
 
 #include "ffcontact/bounds/coulomb_on_line.hpp"
 #include "ffcontact/bounds/quantity.hpp"
+#include "ffcontact/contact/solve_contact.hpp"
 #include "support/estimates.hpp"
 #include "support/random.hpp"
 #include "support/springs.hpp"
@@ -44,13 +45,13 @@ struct TwoPairs {
     minus = pair(-s);
   }
 
-  ContactSolution solution(double t) {
+  ContactSolution<2> solution(double t) {
     system = problem.system();
     system.load += t * on_free_dofs(system, load_of(problem.mesh, quantity));
     return solve_contact(problem.mesh, problem.line, problem.law, system);
   }
 
-  SolvedBody<2> with_springs(const ContactSolution& solution) const {
+  SolvedBody<2> with_springs(const ContactSolution<2>& solution) const {
     SolvedBody<2> solved = solved_body(problem, solution);
     solved.springs = springs;
     return solved;

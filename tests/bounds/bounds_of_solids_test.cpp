@@ -188,7 +188,7 @@ class RandomProblem {
     problem.move(high_z, [&](const Vector3d&) { return shift_; });
     problem.load(high_x, on_x_);
     problem.load(high_y, on_y_);
-    SurfaceLaw& law = problem.law;
+    ContactLaw<3>& law = problem.law;
     if (slip_bound_ > 0) law.slip_bound = on_all_nodes(problem, slip_bound_);
     Matrix3Xd place = mesh.vertices(Eigen::all, problem.surface.vertex);
     place.row(2).setOnes();

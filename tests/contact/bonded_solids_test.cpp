@@ -15,7 +15,7 @@ using namespace test;
 RC_GTEST_PROP(BondedSolids, linear_displacements_pass, (Random random)) {
   SolidStack two = random_bonded_bricks(random);
   prescribe_uniform_stress(two);
-  const SurfaceSolution solution = two.problem.solve();
+  const ContactSolution<3> solution = two.problem.solve();
   RC_ASSERT(solution.accepted({}));
   RC_ASSERT(solution.iterations == 1);
   RC_ASSERT(relative_difference(
@@ -29,7 +29,7 @@ TEST(BondedSolids, meshes_that_match_are_one_mesh) {
   SolidProblem held(brick_at({3, 2, 4}, {3, 2, 2}, {0, 0, -1}));
   bond(held);
   held.load(high_z, {3, 1, 7});
-  const SurfaceSolution whole = held.solve(), parts = two.problem.solve();
+  const ContactSolution<3> whole = held.solve(), parts = two.problem.solve();
   ASSERT_TRUE(whole.accepted({}));
   ASSERT_TRUE(parts.accepted({}));
   EXPECT_EQ(parts.state, all_stick(two.problem.surface.node_count()));
@@ -49,7 +49,7 @@ TEST(BondedSolids, meshes_that_match_are_one_mesh) {
 TEST(BondedSolids, carry_tension_and_shear_by_all_solvers) {
   SolidStack two = bonded_bricks({3, 2, 2}, {4, 3, 2});
   pull(two);
-  const SurfaceSolution direct = two.problem.solve();
+  const ContactSolution<3> direct = two.problem.solve();
   ASSERT_TRUE(direct.accepted({}));
   EXPECT_NEAR(direct.force.row(0).sum(), 7 * 6, 1e-9);
   ContactSettings fixed_point, multigrid;
@@ -57,7 +57,7 @@ TEST(BondedSolids, carry_tension_and_shear_by_all_solvers) {
   multigrid.linear = LinearSolver::multigrid;
   EXPECT_EQ(two.problem.solve(fixed_point).iterations, 1);
   for (const ContactSettings& settings : {fixed_point, multigrid}) {
-    const SurfaceSolution other = two.problem.solve(settings);
+    const ContactSolution<3> other = two.problem.solve(settings);
     ASSERT_TRUE(other.accepted(settings));
     EXPECT_LT(relative_difference(other.displacement, direct.displacement),
               1e-8);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ffcontact/contact/law/cones_of_law.hpp"
 #include "ffcontact/contact/law/friction_cone.hpp"
 #include "ffcontact/contact/law/nodal_law.hpp"
 #include "ffcontact/contact/law/nodal_pressures.hpp"
@@ -21,7 +22,7 @@ const Material stiff = material(70e3, 0.3), soft = material(3e3, 0.3);
 /// one step.
 RC_GTEST_PROP(Bonded, linear_displacements_pass, (Random random)) {
   const Bodies two = random_patch(stiff, 1, random);
-  const ContactSolution solution = solved(two.problem);
+  const ContactSolution<2> solution = solved(two.problem);
   RC_ASSERT(solution.accepted({}));
   RC_ASSERT(solution.iterations == 1);
   RC_ASSERT(relative_difference(solution.displacement,
@@ -64,7 +65,7 @@ TEST(Bonded, meshes_that_match_are_one_mesh) {
       two.problem.law.multiplier = multiplier;
       ContactSettings settings;
       settings.solver = solver;
-      const ContactSolution solution = solved(two.problem, settings);
+      const ContactSolution<2> solution = solved(two.problem, settings);
       ASSERT_TRUE(solution.accepted(settings));
       EXPECT_EQ(solution.state, all_stick(two.problem.line.node_count()));
       EXPECT_LT(relative_difference(
@@ -78,7 +79,7 @@ TEST(Bonded, meshes_that_match_are_one_mesh) {
 TEST(Bonded, carries_tension_and_shear) {
   Bodies two = bonded_blocks(7, 11, stiff, soft);
   pull(two);
-  const ContactSolution solution = solved(two.problem);
+  const ContactSolution<2> solution = solved(two.problem);
   ASSERT_TRUE(solution.accepted({}));
   EXPECT_NEAR(solution.force.row(0).sum(), 42, 1e-10);
   EXPECT_NEAR(std::abs(solution.force.row(1).sum()), 18, 1e-10);
@@ -93,7 +94,7 @@ double tension_defect(int first, int second, int third) {
   add_traction(three.problem, three.label(0, top), {0, 7});
   prescribe(three.problem, three.label(2, bottom), 1);
   for (int k = 0; k < 3; ++k) prescribe(three.problem, three.label(k, left), 0);
-  const ContactSolution solution = solved(three.problem);
+  const ContactSolution<2> solution = solved(three.problem);
   EXPECT_TRUE(solution.accepted({}));
   return relative_difference(
       solution.pressure, Vector2d(7, 0).replicate(1, solution.pressure.cols()));
@@ -110,7 +111,7 @@ TEST(Bonded, a_rigid_foundation_holds_like_a_support) {
   for (Problem* problem : {&bonded, &held}) add_traction(*problem, top, {1, 5});
   for (int side : {bottom, left}) clamp(held, side);
   const VectorXd u = SparseLu(SparseMatrix(held.A)).solve(held.b);
-  const ContactSolution solution = solved(bonded);
+  const ContactSolution<2> solution = solved(bonded);
   ASSERT_TRUE(solution.accepted({}));
   EXPECT_LT(relative_difference(solution.displacement, u), 1e-11);
 }
@@ -121,7 +122,7 @@ TEST(Bonded, ends_that_are_held_do_not_spoil_the_pressures) {
     Bodies two = bonded_blocks(upper, 7, stiff, soft);
     for (int k = 0; k < 2; ++k) prescribe(two.problem, two.label(k, left), 0);
     pull(two);
-    const ContactSolution solution = solved(two.problem);
+    const ContactSolution<2> solution = solved(two.problem);
     ASSERT_TRUE(solution.accepted({}));
     EXPECT_LT(lumped_pressures(two.problem.line, solution.force)
                   .cwiseAbs()

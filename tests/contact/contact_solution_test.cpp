@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ffcontact/contact/contact_solution.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
 #include <cmath>
 
+#include "ffcontact/contact/solve_contact.hpp"
 #include "ffcontact/linear/minimum/nonnegative_least_squares.hpp"
 #include "support/cases.hpp"
 #include "support/refusals.hpp"
@@ -16,11 +15,11 @@ namespace {
 
 using namespace test;
 
-bool accepted(const ContactSolution& solution) {
+bool accepted(const ContactSolution<2>& solution) {
   return solution.accepted(ContactSettings{});
 }
 
-int count(const ContactSolution& solution, ContactState state) {
+int count(const ContactSolution<2>& solution, ContactState state) {
   return static_cast<int>(
       std::count(solution.state.begin(), solution.state.end(), state));
 }
@@ -42,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(ContactSolution, BothMultipliers,
 
 TEST_P(BothMultipliers,
        example_1_is_solved_and_slips_everywhere_but_on_the_symmetry_line) {
-  const ContactSolution solution = solved(example_1(GetParam()));
+  const ContactSolution<2> solution = solved(example_1(GetParam()));
   EXPECT_TRUE(accepted(solution)) << in_words(solution.status);
   const int open = count(solution, ContactState::open),
             sliding = count(solution, ContactState::slip_forward);
@@ -54,14 +53,14 @@ TEST_P(BothMultipliers,
 
 TEST_P(BothMultipliers, example_2_is_solved_for_every_friction_of_table_1) {
   for (double mu : {0.2, 0.3, 0.4, 0.6, 0.8}) {
-    const ContactSolution solution = solved(example_2(GetParam(), mu));
+    const ContactSolution<2> solution = solved(example_2(GetParam(), mu));
     EXPECT_TRUE(accepted(solution))
         << "mu " << mu << ": " << in_words(solution.status);
   }
 }
 
 TEST(ContactSolution, example_1_has_the_nodal_forces_of_an_independent_code) {
-  const ContactSolution solution = solved(example_1(Multiplier::force));
+  const ContactSolution<2> solution = solved(example_1(Multiplier::force));
   const double compression[] = {1.935285757411, 10.24738005932, 10.07714695952,
                                 9.208734186423, 8.115072544281};
   const int first = count(solution, ContactState::open);
@@ -74,7 +73,8 @@ TEST(ContactSolution, example_2_sticks_at_every_node_from_friction_of_04_on) {
   const VectorXd reference =
       solved(example_2(Multiplier::force, 0.4)).displacement;
   for (double mu : {0.4, 0.6, 0.8}) {
-    const ContactSolution solution = solved(example_2(Multiplier::force, mu));
+    const ContactSolution<2> solution =
+        solved(example_2(Multiplier::force, mu));
     EXPECT_EQ(count(solution, ContactState::stick), 17);
     EXPECT_LT(relative_difference(solution.displacement, reference), 1e-12);
   }
@@ -86,7 +86,7 @@ TEST_P(BothMultipliers,
        block_with_three_zones_opens_slips_and_sticks_as_published) {
   Problem problem = block_with_three_zones(32);
   problem.law.multiplier = GetParam();
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   EXPECT_TRUE(accepted(solution));
   // less the force on the held corner
   EXPECT_NEAR(-solution.force.row(0).head(32).sum(), 2000, 2000 * 0.03);
@@ -105,7 +105,7 @@ TEST_P(BothMultipliers,
 
 /// A pad 40 x 20 pressed by 12000 N/mm and pushed by a part of mu N = 3600 N/mm; a weak
 /// spring holds it.
-ContactSolution pushed_pad(double part, double spring) {
+ContactSolution<2> pushed_pad(double part, double spring) {
   Problem problem = body(rectangle(16, 8, 40, 20), material(200e3, 0.3));
   add_traction(problem, top, {0, -300});
   add_body_force(problem, {part * 3600 / 800, 0});
@@ -118,8 +118,8 @@ ContactSolution pushed_pad(double part, double spring) {
 TEST(ContactSolution,
      a_pad_pushed_by_less_than_friction_sticks_and_by_more_slides) {
   const double spring = 10;  // N/mm per mm
-  const ContactSolution sticking = pushed_pad(0.99, spring),
-                        sliding = pushed_pad(1.01, spring);
+  const ContactSolution<2> sticking = pushed_pad(0.99, spring),
+                           sliding = pushed_pad(1.01, spring);
   EXPECT_TRUE(accepted(sticking));
   EXPECT_TRUE(accepted(sliding));
   EXPECT_GT(count(sticking, ContactState::stick), 0);
@@ -138,7 +138,7 @@ TEST_P(BothMultipliers,
             [](const Vector2d&) { return Vector2d(0.5, 0); });
   set_friction(problem, 0.3);
   problem.law.multiplier = GetParam();
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   EXPECT_TRUE(accepted(solution))
       << in_words(solution.status) << ", complementarity "
       << solution.complementarity;
@@ -154,7 +154,7 @@ template <class Patch>
 struct SolvedPatch {
   Patch patch;
   Problem problem;
-  ContactSolution solution;
+  ContactSolution<2> solution;
   SolvedPatch(const Patch& p, const Mesh& mesh, Multiplier multiplier)
       : patch(p), problem(p.problem(mesh)) {
     problem.law.multiplier = multiplier;
@@ -261,7 +261,7 @@ TEST_P(BothMultipliers, stick_patch_has_its_pressure_up_to_a_clamped_side) {
   for (const int open : {-1, nodes - 1, nodes - 2}) {
     settings.initial_state.assign(nodes, ContactState::stick);
     if (open >= 0) settings.initial_state[open] = ContactState::open;
-    const ContactSolution solution = solved(problem, settings);
+    const ContactSolution<2> solution = solved(problem, settings);
     ASSERT_TRUE(accepted(solution)) << open;
     const Eigen::RowVectorXd ones = Eigen::RowVectorXd::Ones(nodes);
     EXPECT_LT(
@@ -341,7 +341,7 @@ RC_GTEST_PROP(ContactSolution, without_friction_is_the_least_squares_solution,
 
 RC_GTEST_PROP(ContactSolution, fulfils_complementarity_and_equilibrium, ()) {
   const Case c = *random_case(1);
-  const ContactSolution solution = solved(problem_of(c));
+  const ContactSolution<2> solution = solved(problem_of(c));
   RC_ASSERT(solution.status == ContactStatus::converged);
   RC_ASSERT(solution.complementarity <= 1e-10);
   RC_ASSERT(solution.residual <= 1e-10);
@@ -358,7 +358,7 @@ RC_GTEST_PROP(ContactSolution,
   set_friction(problem, mu);
   problem.law.multiplier =
       *rc::gen::element(Multiplier::force, Multiplier::pressure);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   RC_ASSERT(solution.status == ContactStatus::converged);
   RC_ASSERT(solution.complementarity <= 1e-10);
   RC_ASSERT(solution.residual <= 1e-10);
@@ -373,7 +373,7 @@ RC_GTEST_PROP(ContactSolution,
   problem.law.gap = 1e-3 * random_vector(nodes, random);
   problem.law.previous = 1e-3 * random_vector(nodes, random);
   problem.law.previous[nodes - 1] = 0;  // a support may stand there
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   RC_ASSERT(solution.status == ContactStatus::converged);
   RC_ASSERT(solution.complementarity <= 1e-10);
 }
@@ -383,7 +383,7 @@ RC_GTEST_PROP(ContactSolution, forces_are_the_mass_times_the_pressures, ()) {
   // every contact dof is free: no pressure is left open
   c.support = Support::clamped_top;
   const Problem problem = problem_of(c);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   const Matrix2Xd force = solution.pressure * contact_mass(problem.line);
   RC_ASSERT((force - solution.force).cwiseAbs().maxCoeff() <=
             1e-12 * problem.b.cwiseAbs().maxCoeff());
@@ -392,8 +392,8 @@ RC_GTEST_PROP(ContactSolution, forces_are_the_mass_times_the_pressures, ()) {
 RC_GTEST_PROP(ContactSolution, scales_with_the_loads, ()) {
   const Case c = *random_case(0.5);
   const double factor = *rc::gen::element(1e-6, 0.3, 7.0, 1e5);
-  const ContactSolution one = solved(problem_of(c)),
-                        many = solved(problem_of(scaled(c, factor)));
+  const ContactSolution<2> one = solved(problem_of(c)),
+                           many = solved(problem_of(scaled(c, factor)));
   RC_ASSERT(many.state == one.state);
   RC_ASSERT(relative_difference(many.displacement, factor * one.displacement) <
             1e-9);
@@ -403,8 +403,8 @@ RC_GTEST_PROP(ContactSolution, scales_with_the_loads, ()) {
 
 RC_GTEST_PROP(ContactSolution, of_the_mirrored_body_is_mirrored, ()) {
   const Case c = *random_case(0.5);
-  const ContactSolution original = solved(problem_of(c)),
-                        image = solved(problem_of(mirrored(c)));
+  const ContactSolution<2> original = solved(problem_of(c)),
+                           image = solved(problem_of(mirrored(c)));
   VectorXd turned_back = image.displacement;
   for (Index v = 0; v < turned_back.size() / 2; ++v) turned_back[2 * v] *= -1;
   RC_ASSERT(relative_difference(turned_back, original.displacement) < 1e-9);
@@ -418,8 +418,8 @@ RC_GTEST_PROP(ContactSolution, of_the_rotated_body_is_rotated, ()) {
   Case c = *random_case(0.5);
   if (c.support == Support::symmetric_right) c.support = Support::clamped_top;
   const double angle = *real(-3, 3);
-  const ContactSolution original = solved(problem_of(c)),
-                        image = solved(problem_of(rotated(c, angle)));
+  const ContactSolution<2> original = solved(problem_of(c)),
+                           image = solved(problem_of(rotated(c, angle)));
   const Matrix2d back = Eigen::Rotation2Dd(-angle).toRotationMatrix();
   VectorXd turned_back = image.displacement;
   turned_back.reshaped(2, turned_back.size() / 2) =
@@ -432,8 +432,8 @@ RC_GTEST_PROP(ContactSolution, does_not_depend_on_the_numbering,
               (Random random)) {
   const Case c = *random_case(0.5);
   const Renumbered other = renumbered(c.mesh, random);
-  const ContactSolution original = solved(problem_of(c));
-  const ContactSolution again = solved(
+  const ContactSolution<2> original = solved(problem_of(c));
+  const ContactSolution<2> again = solved(
       problem_of(mapped(c, other.mesh, [](const Vector2d& x) { return x; })));
   VectorXd in_old_order(original.displacement.size());
   for (int v = 0; v < c.mesh.vertex_count(); ++v)
@@ -447,7 +447,7 @@ TEST_P(BothMultipliers,
        without_friction_equals_tresca_without_slip_bound_to_the_bit) {
   Problem problem = example_1(GetParam(), 8);
   set_friction(problem, 0);
-  const ContactSolution frictionless = solved(problem);
+  const ContactSolution<2> frictionless = solved(problem);
   EXPECT_EQ(frictionless.force.row(1),
             Eigen::RowVectorXd::Zero(problem.line.node_count()));
   set_friction(problem, 0.5);
@@ -465,7 +465,7 @@ TEST_P(BothMultipliers,
   problem.law.multiplier = GetParam();
   // (2.19): |r_t| <= k whatever r_n
   problem.law.slip_bound = everywhere(problem.line, 20);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   EXPECT_TRUE(accepted(solution))
       << in_words(solution.status) << ", complementarity "
       << solution.complementarity;
@@ -473,7 +473,7 @@ TEST_P(BothMultipliers,
 }
 
 TEST(ContactSolution, of_a_body_without_loads_is_zero) {
-  const ContactSolution solution =
+  const ContactSolution<2> solution =
       solved(body(rectangle(3, 3, 3, 3), material(1, 0.3)));
   EXPECT_TRUE(accepted(solution));
   EXPECT_EQ(solution.displacement.cwiseAbs().maxCoeff(), 0);
@@ -484,12 +484,12 @@ TEST(ContactSolution, of_a_body_without_loads_is_zero) {
 RC_GTEST_PROP(ContactSolution,
               of_a_second_step_under_the_same_load_moves_nothing, ()) {
   Problem problem = problem_of(*random_case(0.5));
-  const ContactSolution first = solved(problem);
+  const ContactSolution<2> first = solved(problem);
   problem.law.previous =
       contact_components(problem.line, first.displacement).row(1);
   ContactSettings settings;
   settings.initial_state = first.state;
-  const ContactSolution second = solved(problem, settings);
+  const ContactSolution<2> second = solved(problem, settings);
   RC_ASSERT(second.status == ContactStatus::converged);
   RC_ASSERT(relative_difference(second.displacement, first.displacement) <
             1e-8);
@@ -497,12 +497,12 @@ RC_GTEST_PROP(ContactSolution,
 
 TEST(ContactSolution, unloaded_after_slip_keeps_a_part_of_its_displacement) {
   Problem problem = example_2(Multiplier::force, 0.1, 8);
-  const ContactSolution loaded = solved(problem);
+  const ContactSolution<2> loaded = solved(problem);
   ASSERT_GT(count(loaded, ContactState::slip_backward), 0);
   problem.law.previous =
       contact_components(problem.line, loaded.displacement).row(1);
   add_traction(problem, top, {0, 4});  // a fifth of the load is left
-  const ContactSolution unloaded = solved(problem);
+  const ContactSolution<2> unloaded = solved(problem);
   EXPECT_TRUE(accepted(unloaded));
   problem.law.previous.resize(0);
   EXPECT_GT(std::abs(unloaded.displacement[0]),
@@ -527,7 +527,7 @@ TEST(StatesAt, are_those_of_the_nearest_old_node) {
 // ---- progress -----------------------------------------------------------------------------------
 
 std::vector<Progress> told_by(const Problem& problem, ContactSolver solver,
-                              ContactSolution& solution) {
+                              ContactSolution<2>& solution) {
   std::vector<Progress> told;
   ContactSettings settings;
   settings.solver = solver;
@@ -538,7 +538,7 @@ std::vector<Progress> told_by(const Problem& problem, ContactSolver solver,
 
 TEST(ContactSolution, tells_of_its_factorisation_and_of_every_step) {
   const Problem problem = example_1(Multiplier::force, 8);
-  ContactSolution solution;
+  ContactSolution<2> solution;
   const std::vector<Progress> newton =
       told_by(problem, ContactSolver::newton, solution);
   ASSERT_EQ(static_cast<int>(newton.size()), 1 + solution.iterations);

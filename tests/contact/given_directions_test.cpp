@@ -58,7 +58,7 @@ TEST(SmoothContactLine, of_a_closed_loop_shares_its_first_node) {
 
 TEST(AlongDirections, on_a_straight_line_the_answer_is_the_same_to_the_bit) {
   Problem problem = example_1(Multiplier::pressure, 4);
-  const ContactSolution by_edges = solved(problem);
+  const ContactSolution<2> by_edges = solved(problem);
   problem.line = downwards(problem.mesh);
   EXPECT_EQ(solved(problem).displacement, by_edges.displacement);
 }
@@ -72,7 +72,7 @@ TEST_P(GivenDirections,
        a_bent_block_on_a_plane_slides_where_its_own_normals_lock_it) {
   const Mesh mesh = bent(12, 4);
   const Problem problem = on_a_plane(GetParam(), downwards(mesh), mesh);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   EXPECT_TRUE(solution.accepted({})) << in_words(solution.status);
   const auto sliding = std::count(solution.state.begin(), solution.state.end(),
                                   ContactState::slip_forward);
@@ -93,9 +93,9 @@ TEST_P(GivenDirections, turning_the_frames_does_not_change_a_body_that_sticks) {
   problem.law.gap.resize(0);
   clamp(problem, top, [](const Vector2d&) { return Vector2d(0, -0.1); });
   set_friction(problem, 100);
-  const ContactSolution by_normals = solved(problem);
+  const ContactSolution<2> by_normals = solved(problem);
   problem.line = downwards(mesh);
-  const ContactSolution by_one_direction = solved(problem);
+  const ContactSolution<2> by_one_direction = solved(problem);
   ASSERT_EQ(std::count(by_normals.state.begin(), by_normals.state.end(),
                        ContactState::stick),
             9);

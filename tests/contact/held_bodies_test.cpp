@@ -48,7 +48,7 @@ TEST(UnheldMotions, a_weak_spring_holds_too) {
 TEST_P(HeldBodies, held_by_contact_alone_with_friction) {
   Problem problem = block(GetParam(), 0.5);
   add_traction(problem, top, {0.2, -1});
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   EXPECT_TRUE(solution.accepted({})) << in_words(solution.status);
   EXPECT_NEAR(solution.force.row(0).sum(), -6, 1e-9);
   EXPECT_NEAR(solution.force.row(1).sum(), -1.2, 1e-9);
@@ -58,7 +58,7 @@ TEST_P(HeldBodies,
        on_a_frictionless_plane_balanced_loads_leave_one_motion_undetermined) {
   Problem problem = block(GetParam(), 0);
   add_traction(problem, top, {0, -1});
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   EXPECT_TRUE(solution.accepted({}))
       << in_words(solution.status) << ", residual " << solution.residual;
   EXPECT_NEAR(solution.force.row(0).sum(), -6, 1e-9);

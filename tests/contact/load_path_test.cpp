@@ -8,7 +8,7 @@ namespace {
 using namespace test;
 
 VectorXd tangential_displacement(const Problem& problem,
-                                 const ContactSolution& solution) {
+                                 const ContactSolution<2>& solution) {
   return contact_components(problem.line, solution.displacement).row(1);
 }
 
@@ -29,19 +29,19 @@ INSTANTIATE_TEST_SUITE_P(Multipliers, LoadPath,
 
 TEST_P(LoadPath, starting_from_rest_is_the_static_law_to_the_bit) {
   Problem problem = sheared_block(GetParam(), 0.01);
-  const ContactSolution at_once = solved(problem);
+  const ContactSolution<2> at_once = solved(problem);
   problem.law.previous = everywhere(problem.line, 0);
   EXPECT_EQ(solved(problem).displacement, at_once.displacement);
 }
 
 TEST_P(LoadPath, a_step_without_a_change_changes_nothing) {
   Problem problem = sheared_block(GetParam(), 0.01);
-  const ContactSolution before = solved(problem);
+  const ContactSolution<2> before = solved(problem);
   EXPECT_GT(std::count(before.state.begin(), before.state.end(),
                        ContactState::slip_forward),
             0);
   problem.law.previous = tangential_displacement(problem, before);
-  const ContactSolution after = solved(problem);
+  const ContactSolution<2> after = solved(problem);
   EXPECT_TRUE(after.accepted({}));
   EXPECT_LT(relative_difference(after.displacement, before.displacement),
             1e-12);
@@ -53,9 +53,9 @@ TEST_P(
     sheared_back_and_forth_friction_keeps_the_memory_that_the_static_law_has_not) {
   Problem forth = sheared_block(GetParam(), 0.05),
           back = sheared_block(GetParam(), 0);
-  const ContactSolution there = solved(forth), never_moved = solved(back);
+  const ContactSolution<2> there = solved(forth), never_moved = solved(back);
   back.law.previous = tangential_displacement(forth, there);
-  const ContactSolution returned = solved(back);
+  const ContactSolution<2> returned = solved(back);
   EXPECT_TRUE(returned.accepted({}));
   EXPECT_LT(std::abs(never_moved.force.row(1).sum()),
             0.05 * std::abs(there.force.row(1).sum()));
@@ -69,10 +69,10 @@ TEST_P(LoadPath, previous_displacement_shifts_where_a_node_sticks) {
   Problem problem = sheared_block(GetParam(), 0);
   problem.law.previous = everywhere(problem.line, 0.003);
   set_friction(problem, 10);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   EXPECT_TRUE(solution.accepted({}));
-  const VectorXd off =
-      tangential_displacement(problem, solution) - problem.law.previous;
+  const VectorXd off = tangential_displacement(problem, solution) -
+                       problem.law.previous.transpose();
   for (int i = 0; i < problem.line.node_count(); ++i)
     if (solution.state[i] == ContactState::stick &&
         problem.law.multiplier == Multiplier::force) {
@@ -88,17 +88,17 @@ TEST_P(LoadPath, previous_displacement_shifts_where_a_node_sticks) {
 RC_GTEST_PROP(WarmStart, from_its_own_states_a_solution_is_found_in_one_step,
               ()) {
   const Problem problem = problem_of(*random_case(1));
-  const ContactSolution cold = solved(problem);
+  const ContactSolution<2> cold = solved(problem);
   ContactSettings settings;
   settings.initial_state = cold.state;
-  const ContactSolution warm = solved(problem, settings);
+  const ContactSolution<2> warm = solved(problem, settings);
   RC_ASSERT(warm.accepted(settings));
   RC_ASSERT(warm.iterations == 1);
   RC_ASSERT(relative_difference(warm.displacement, cold.displacement) < 1e-11);
 }
 
 TEST(WarmStart, states_of_a_coarser_mesh_start_a_finer_one) {
-  const ContactSolution coarse = solved(example_1(Multiplier::pressure, 8));
+  const ContactSolution<2> coarse = solved(example_1(Multiplier::pressure, 8));
   const Problem fine = example_1(Multiplier::pressure, 32);
   ContactSettings settings;
   settings.initial_state =

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ffcontact/contact/multigrid_relation.hpp"
-#include "ffcontact/contact/refinement.hpp"
+#include "ffcontact/contact/residual_defect.hpp"
 #include "support/by_multigrid.hpp"
 #include "support/pressed_bricks.hpp"
 #include "support/threads.hpp"
@@ -81,10 +81,10 @@ TEST(MultigridLayer, starts_from_rows_that_are_near) {
 TEST(MultigridLayer, needs_few_systems_if_it_is_stiff) {
   SolidProblem problem =
       block_problem(brick({24, 12, 12}, {80, 40, 40}), BlockCase::lift, 0.5);
-  const SurfaceSolution without = problem.solve(by(LinearSolver::multigrid));
+  const ContactSolution<3> without = problem.solve(by(LinearSolver::multigrid));
   for (const double c : {1e-300, 1e-12, 1e-9}) {
     problem.law.layer = {c, 2 * c};
-    const SurfaceSolution found = problem.solve(by(LinearSolver::multigrid));
+    const ContactSolution<3> found = problem.solve(by(LinearSolver::multigrid));
     EXPECT_EQ(found.multigrid, Multigrid::used);
     EXPECT_LE(found.iterations, without.iterations + 2);
     EXPECT_LE(max_norm(found.force - without.force),
@@ -99,7 +99,7 @@ TEST(MultigridLayer, needs_few_systems_if_it_is_soft) {
   for (const double c : {1.0, 100.0, 1e4}) {
     SolidProblem problem = block_problem(mesh, BlockCase::press_x, 0.5);
     problem.law.layer = {c, 2 * c};
-    const SurfaceSolution found = problem.solve(by(LinearSolver::multigrid));
+    const ContactSolution<3> found = problem.solve(by(LinearSolver::multigrid));
     EXPECT_TRUE(found.accepted({}));
     EXPECT_EQ(found.multigrid, Multigrid::used);
     EXPECT_LE(found.iterations, 6);
@@ -119,24 +119,23 @@ TEST(MultigridLayer, corrects_a_displacement_that_is_off) {
     const StatedSurface stated{problem.surface, problem.law, system, settings,
                                trace};
     const auto relation = multigrid_relation(problem.mesh.vertices, stated);
-    const ActiveSetResult found = relation->answer().answer;
+    const RelationAnswer first = relation->answer();
+    const ActiveSetResult& found = first.law.answer;
     const Index nodes = problem.surface.node_count();
-    const Matrix3Xd force = found.P.head(3 * nodes).reshaped(3, nodes);
-    const VectorXd u = system.prescribed_value +
-                       relation->displacement({found.P, found.v}),
+    const VectorXd force = found.P.head(3 * nodes),
+                   u = system.prescribed_value + first.displacement,
                    off = on_free_dofs(
                        system, 1e-2 * max_norm(u) *
-                                   random_vector(system.dof_count(), random));
-    relation->put_loads(
-        force_residual(system, u + off, VectorXd::Zero(system.dof_count())),
-        stated.v_of(u + off, force), found.P);
-    const ActiveSetResult corrected =
-        relation->answer_near({found.P, found.v}, {60, 1e-10});
+                                   random_vector(system.dof_count(), random)),
+                   none = VectorXd::Zero(system.dof_count());
+    const RelationAnswer second =
+        relation->corrected({found, force_residual(system, u + off, none),
+                             stated.v_of(u + off, force)},
+                            {60, 1e-10});
+    const ActiveSetResult& corrected = second.law.answer;
     EXPECT_EQ(corrected.status, ContactStatus::converged);
-    EXPECT_LE(
-        max_norm(off + relation->displacement({corrected.P, corrected.v})),
-        1e-8 * max_norm(u));
-    EXPECT_LE(max_norm(corrected.P.head(3 * nodes) - force.reshaped()),
+    EXPECT_LE(max_norm(off + second.displacement), 1e-8 * max_norm(u));
+    EXPECT_LE(max_norm(corrected.P.head(3 * nodes) - force),
               1e-7 * max_norm(force));
   }
 }
@@ -152,7 +151,7 @@ TEST(MultigridLayer, is_in_series_with_a_bar) {
     problem.move(high_z, [=](const Vector3d&) { return Vector3d(0, 0, -d); });
     problem.law.gap = VectorXd::Constant(problem.surface.node_count(), gap);
     problem.law.layer = {c, 0};
-    const SurfaceSolution found = problem.solve(by(LinearSolver::multigrid));
+    const ContactSolution<3> found = problem.solve(by(LinearSolver::multigrid));
     ASSERT_TRUE(found.accepted({}));
     EXPECT_EQ(found.multigrid, Multigrid::used);
     const double pressure = (d - gap) / (length / stiff + c);
@@ -184,9 +183,9 @@ RC_GTEST_PROP(MultigridLayer, has_the_answer_of_a_factor_of_random_solids,
               (Random random)) {
   SolidProblem problem = random_solids(0.3, random).problem;
   problem.law.layer = random_compliance(random);
-  const SurfaceSolution other = problem.solve(by(LinearSolver::direct));
+  const ContactSolution<3> other = problem.solve(by(LinearSolver::direct));
   RC_PRE(other.accepted({}));
-  const SurfaceSolution one = problem.solve([] {
+  const ContactSolution<3> one = problem.solve([] {
     ContactSettings from_0;
     from_0.multigrid_from = 0;
     return from_0;
@@ -201,8 +200,8 @@ RC_GTEST_PROP(MultigridLayer, has_the_answer_of_a_factor_of_rough_problems,
   SolidProblem problem = rough_problem(random);
   problem.law.friction *= 0.3;  // one solution
   problem.law.layer = random_compliance(random);
-  const SurfaceSolution one = problem.solve(by(LinearSolver::multigrid)),
-                        other = problem.solve(by(LinearSolver::direct));
+  const ContactSolution<3> one = problem.solve(by(LinearSolver::multigrid)),
+                           other = problem.solve(by(LinearSolver::direct));
   RC_TAG(one.multigrid == Multigrid::used);
   RC_ASSERT(one.accepted({}));
   RC_ASSERT(other.accepted({}));

@@ -47,8 +47,8 @@ TEST(MultigridRelation, has_it_of_a_load_step_and_gaps) {
 TEST(MultigridRelation, has_it_of_a_body_that_contact_alone_holds) {
   SolidProblem problem(brick({8, 4, 4}, {80, 40, 40}), 0.5);
   problem.load(high_z, {0.5, 0.2, -5});
-  const SurfaceSolution one = problem.solve(by(LinearSolver::multigrid)),
-                        other = problem.solve(by(LinearSolver::direct));
+  const ContactSolution<3> one = problem.solve(by(LinearSolver::multigrid)),
+                           other = problem.solve(by(LinearSolver::direct));
   ASSERT_TRUE(one.accepted({}));
   EXPECT_EQ(one.multigrid, Multigrid::used);
   EXPECT_LE(max_norm(one.force - other.force), 1e-8 * max_norm(other.force));
@@ -67,12 +67,12 @@ TEST(MultigridRelation, gets_there_from_rows_that_are_far) {
     const SolidProblem problem =
         block_problem(brick({8, 4, 4}, {80, 40, 40}), BlockCase::shear, mu);
     ContactSettings settings = by(LinearSolver::multigrid);
-    const SurfaceSolution cold = problem.solve(settings);
+    const ContactSolution<3> cold = problem.solve(settings);
     for (int k = 0; k < 10; ++k) {
       const double size = std::pow(10, k - 5);
       settings.near = {size * random_vector(cold.force.size(), random),
                        1e-3 * random_vector(cold.force.size(), random)};
-      const SurfaceSolution misled = problem.solve(settings);
+      const ContactSolution<3> misled = problem.solve(settings);
       EXPECT_EQ(misled.multigrid, Multigrid::used);
       EXPECT_LE(max_norm(misled.force - cold.force),
                 1e-9 * max_norm(cold.force));
@@ -89,11 +89,11 @@ TEST(MultigridRelation, has_it_of_solids_whose_meshes_do_not_match) {
 RC_GTEST_PROP(MultigridRelation, has_the_answer_of_a_factor_of_random_solids,
               (Random random)) {
   const SolidProblem problem = random_solids(0.3, random).problem;
-  const SurfaceSolution other = problem.solve(by(LinearSolver::direct));
+  const ContactSolution<3> other = problem.solve(by(LinearSolver::direct));
   RC_PRE(other.accepted({}));
   ContactSettings from_0;
   from_0.multigrid_from = 0;
-  const SurfaceSolution one = problem.solve(from_0);
+  const ContactSolution<3> one = problem.solve(from_0);
   RC_TAG(one.multigrid == Multigrid::used);
   RC_ASSERT(one.accepted({}));
   RC_ASSERT(max_norm(one.force - other.force) <= 1e-7 * max_norm(other.force));
@@ -103,11 +103,12 @@ TEST(MultigridRelation, has_it_in_any_units) {
   for (const double unit : {1e-9, 1e9}) {
     SolidProblem problem =
         block_problem(brick({8, 4, 4}, {80, 40, 40}), BlockCase::press_x, 0.5);
-    const SurfaceSolution in_mm = problem.solve(by(LinearSolver::multigrid));
+    const ContactSolution<3> in_mm = problem.solve(by(LinearSolver::multigrid));
     for (Index k = 0; k < problem.A.nonZeros(); ++k)
       if (problem.A.valuePtr()[k] != 1e30) problem.A.valuePtr()[k] *= unit;
     problem.b *= unit;
-    const SurfaceSolution scaled = problem.solve(by(LinearSolver::multigrid));
+    const ContactSolution<3> scaled =
+        problem.solve(by(LinearSolver::multigrid));
     ASSERT_EQ(scaled.multigrid, Multigrid::used);
     EXPECT_LE(max_norm(scaled.force / unit - in_mm.force),
               1e-8 * max_norm(in_mm.force));
@@ -123,8 +124,8 @@ RC_GTEST_PROP(MultigridRelation, has_the_answer_of_a_factor_of_rough_problems,
     problem.law.slip_bound = 10 * problem.law.friction;
     problem.law.friction.setZero();
   }
-  const SurfaceSolution one = problem.solve(by(LinearSolver::multigrid)),
-                        other = problem.solve(by(LinearSolver::direct));
+  const ContactSolution<3> one = problem.solve(by(LinearSolver::multigrid)),
+                           other = problem.solve(by(LinearSolver::direct));
   RC_ASSERT(one.accepted({}));
   RC_ASSERT(other.accepted({}));
   RC_ASSERT(max_norm(one.force - other.force) <= 1e-7 * max_norm(other.force));

@@ -21,7 +21,7 @@ RigidTool free_tool(const Vector2d& about, const Vector3d& push) {
 
 /// Force and moment about a point of the contact forces on the body.
 Vector3d resultant(const Problem& problem, const RigidTool& tool,
-                   const ContactSolution& solution) {
+                   const ContactSolution<2>& solution) {
   Vector3d sum;
   for (int k = 0; k < 3; ++k)
     sum[k] =
@@ -31,8 +31,8 @@ Vector3d resultant(const Problem& problem, const RigidTool& tool,
   return sum;
 }
 
-ContactSolution with_prescribed(Problem problem, const RigidTool& tool,
-                                const Vector3d& motion) {
+ContactSolution<2> with_prescribed(Problem problem, const RigidTool& tool,
+                                   const Vector3d& motion) {
   const Matrix2Xd z = tool_components(problem.mesh, problem.line, tool, motion);
   problem.law.gap = z.row(0);
   problem.law.previous = z.row(1);
@@ -67,7 +67,7 @@ RC_GTEST_PROP(RigidTool, moves_as_a_prescribed_motion_with_its_forces,
   const Vector3d motion =
       scale * (Vector3d(0, 0.05, 0) +
                random_vector(3, random).cwiseProduct(Vector3d(.005, .02, .02)));
-  const ContactSolution prescribed = with_prescribed(problem, tool, motion);
+  const ContactSolution<2> prescribed = with_prescribed(problem, tool, motion);
   RC_PRE(prescribed.status == ContactStatus::converged);
   tool.push = resultant(problem, tool, prescribed);
   RC_PRE(tool.push.norm() > 0);

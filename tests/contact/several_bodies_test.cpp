@@ -21,7 +21,7 @@ void press(Bodies& stack, double p) {
 
 /// Largest deviation of the pressures from p and of the stresses from (0, -p, 0),
 /// relative to p.
-double patch_defect(const Bodies& stack, const ContactSolution& solution,
+double patch_defect(const Bodies& stack, const ContactSolution<2>& solution,
                     double p) {
   const Problem& problem = stack.problem;
   const Matrix3Xd stress =
@@ -39,7 +39,7 @@ double patch_defect(const Mesh& upper, const Mesh& lower,
              {{0, bottom, 1, top}});
   press(stack, 7);
   stack.problem.law.multiplier = multiplier;
-  const ContactSolution solution = solved(stack.problem);
+  const ContactSolution<2> solution = solved(stack.problem);
   EXPECT_TRUE(solution.accepted({}))
       << in_words(solution.status) << " " << solution.complementarity << " "
       << solution.residual;
@@ -74,7 +74,7 @@ TEST(SeveralBodies, stack_of_three_passes_uniform_pressure) {
              {material(70e3, 0.3), material(3e3, 0.4), material(210e3, 0.2)},
              {{0, bottom, 1, top}, {1, bottom, 2, top}});
   press(stack, 3);
-  const ContactSolution solution = solved(stack.problem);
+  const ContactSolution<2> solution = solved(stack.problem);
   ASSERT_TRUE(solution.accepted({}));
   EXPECT_LT(patch_defect(stack, solution, 3), 1e-10);
 }
@@ -84,7 +84,7 @@ TEST(SeveralBodies, stack_of_three_passes_uniform_pressure) {
 TEST(SeveralBodies, example_3_carries_its_load_through_contact) {
   for (const Multiplier multiplier : both_multipliers) {
     const Bodies two = example_3(multiplier);
-    const ContactSolution solution = solved(two.problem);
+    const ContactSolution<2> solution = solved(two.problem);
     ASSERT_TRUE(solution.accepted({})) << in_words(solution.status);
     EXPECT_TRUE(two.problem.line.matches());
     EXPECT_NEAR(solution.force.row(0).sum(), -1000, 1e-9);
@@ -108,8 +108,8 @@ TEST(SeveralBodies, matching_bodies_can_be_exchanged) {
       two.problem.law.multiplier = multiplier;
       return two.problem;
     };
-    const ContactSolution one = solved(problem(false)),
-                          other = solved(problem(true));
+    const ContactSolution<2> one = solved(problem(false)),
+                             other = solved(problem(true));
     ASSERT_TRUE(one.accepted({}) && other.accepted({}));
     EXPECT_LT(relative_difference(one.displacement, other.displacement), 1e-10);
     EXPECT_LT(relative_difference(one.pressure.row(0),
@@ -134,8 +134,8 @@ TEST(SeveralBodies, very_stiff_opposite_body_is_a_rigid_foundation) {
   load(one, top, left);
   for (const Multiplier multiplier : both_multipliers) {
     two.problem.law.multiplier = one.law.multiplier = multiplier;
-    const ContactSolution on_body = solved(two.problem),
-                          on_foundation = solved(one);
+    const ContactSolution<2> on_body = solved(two.problem),
+                             on_foundation = solved(one);
     EXPECT_LT(relative_difference(on_body.pressure, on_foundation.pressure),
               1e-6);
   }

@@ -21,7 +21,7 @@ using namespace test;
 /// Of a stack between walls under a uniform pressure.
 struct UniformPressure {
   SolidStack stack;
-  SurfaceSolution solution;
+  ContactSolution<3> solution;
 
   explicit UniformPressure(SolidStack any) : stack(std::move(any)) {
     put_between_walls(stack);
@@ -96,7 +96,7 @@ RC_GTEST_PROP(SeveralSolids, that_stick_are_one_body, (Random random)) {
   SolidProblem& parts = stack.problem;
   load(parts, stack.label(0, high_z), stack.label(1, low_z),
        stack.label(0, high_x));
-  const SurfaceSolution solution = parts.solve();
+  const ContactSolution<3> solution = parts.solve();
   RC_ASSERT(solution.accepted({}));
   for (ContactState state : solution.state)
     RC_PRE(state == ContactState::stick);
@@ -124,7 +124,7 @@ RC_GTEST_PROP(SeveralSolids, that_stick_are_one_body, (Random random)) {
 
 RC_GTEST_PROP(SeveralSolids, fulfil_the_law_and_equilibrium, (Random random)) {
   const SolidStack stack = random_solids(*real(0, 3), random);
-  const SurfaceSolution solution = stack.problem.solve();
+  const ContactSolution<3> solution = stack.problem.solve();
   RC_ASSERT(solution.accepted({}));
   RC_ASSERT(defects(stack.problem, solution).largest() < 1e-8);
 }
@@ -144,8 +144,8 @@ RC_GTEST_PROP(SeveralSolids, newton_and_the_fixed_point_agree,
   const SolidStack stack = random_solids(*real(0, 0.5), random);
   ContactSettings settings;
   settings.solver = ContactSolver::fixed_point;
-  const SurfaceSolution newton = stack.problem.solve(),
-                        steps = stack.problem.solve(settings);
+  const ContactSolution<3> newton = stack.problem.solve(),
+                           steps = stack.problem.solve(settings);
   RC_ASSERT(steps.accepted(settings) && !steps.history.empty());
   RC_ASSERT((newton.displacement - steps.displacement).norm() <
             1e-7 * newton.displacement.norm());
@@ -154,11 +154,11 @@ RC_GTEST_PROP(SeveralSolids, newton_and_the_fixed_point_agree,
 /// Bodies, loads and supports in other units of force.
 RC_GTEST_PROP(SeveralSolids, do_not_depend_on_units, (Random random)) {
   SolidStack stack = random_solids(*real(0, 1), random);
-  const SurfaceSolution solution = stack.problem.solve();
+  const ContactSolution<3> solution = stack.problem.solve();
   const double unit = std::pow(10, *rc::gen::inRange(-9, 10));
   stack.problem.A *= unit;
   stack.problem.b *= unit;
-  const SurfaceSolution in_units = stack.problem.solve();
+  const ContactSolution<3> in_units = stack.problem.solve();
   RC_ASSERT((in_units.force - unit * solution.force).norm() <
             1e-8 * unit * solution.force.norm());
 }
@@ -176,7 +176,7 @@ RC_GTEST_PROP(SeveralSolids, that_face_each_other_in_part, (Random random)) {
                [](const Vector3d&) { return Vector3d(1e-3, 0, -2e-3); });
   problem.move(stack.label(1, low_z),
                [](const Vector3d&) { return Vector3d::Zero(); });
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   RC_ASSERT(solution.accepted({}));
   RC_ASSERT(defects(problem, solution).largest() < 1e-8);
   RC_ASSERT(solution.force.row(0).sum() < 0);

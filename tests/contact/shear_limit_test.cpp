@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ffcontact/contact/contact_solution.hpp"
+#include "ffcontact/contact/law/cones_of_law.hpp"
 #include "ffcontact/contact/law/nodal_law.hpp"
 #include "support/cases.hpp"
 #include "support/refusals.hpp"
@@ -15,7 +16,7 @@ using namespace test;
 
 /// What is left of |F_t| <= min(-mu F_n, k len), of slip against F_t at the bound, and of
 /// stick below it, relative to the forces.
-double worst_of(const Problem& problem, const ContactSolution& solution) {
+double worst_of(const Problem& problem, const ContactSolution<2>& solution) {
   const Matrix2Xd w = displacement_against_foundation(problem.line, problem.law,
                                                       solution.displacement);
   const VectorXd length =
@@ -40,7 +41,7 @@ Problem limited_problem(double mu, double share) {
   Case c = *random_case(mu);
   c.multiplier = Multiplier::force;
   Problem problem = problem_of(c);
-  const ContactSolution unlimited = solved(problem);
+  const ContactSolution<2> unlimited = solved(problem);
   const VectorXd length =
       contact_mass(problem.line) * VectorXd::Ones(problem.line.node_count());
   const double largest =
@@ -52,7 +53,7 @@ Problem limited_problem(double mu, double share) {
 
 RC_GTEST_PROP(ShearLimit, is_obeyed_with_friction_below_it, ()) {
   const Problem problem = limited_problem(2, *real(0.05, 1.2));
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   RC_ASSERT(solution.accepted({}));
   RC_ASSERT(worst_of(problem, solution) < 1e-9);
 }
@@ -60,9 +61,9 @@ RC_GTEST_PROP(ShearLimit, is_obeyed_with_friction_below_it, ()) {
 RC_GTEST_PROP(ShearLimit, is_reached_by_the_fixed_point_too, ()) {
   const Problem problem = limited_problem(0.4, *real(0.2, 1));
   ContactSettings settings;
-  const ContactSolution newton = solved(problem, settings);
+  const ContactSolution<2> newton = solved(problem, settings);
   settings.solver = ContactSolver::fixed_point;
-  const ContactSolution path = solved(problem, settings);
+  const ContactSolution<2> path = solved(problem, settings);
   RC_ASSERT(path.accepted({}));
   RC_ASSERT(relative_difference(path.displacement, newton.displacement) < 1e-7);
 }
@@ -71,7 +72,7 @@ TEST(ShearLimit, that_nothing_reaches_is_coulombs_law_to_the_bit) {
   for (const Multiplier multiplier :
        {Multiplier::force, Multiplier::pressure}) {
     Problem problem = example_1(multiplier);
-    const ContactSolution coulomb = solved(problem);
+    const ContactSolution<2> coulomb = solved(problem);
     problem.law.shear_limit = everywhere(problem.line, 1e6);
     EXPECT_EQ(solved(problem).displacement, coulomb.displacement);
   }
@@ -87,10 +88,10 @@ TEST(ShearLimit, far_below_friction_is_trescas_law_where_the_line_is_closed) {
     problem.law.multiplier = multiplier;
     set_friction(problem, 1);
     problem.law.shear_limit = everywhere(problem.line, 0.5);
-    const ContactSolution limited = solved(problem);
+    const ContactSolution<2> limited = solved(problem);
     problem.law.shear_limit = {};
     problem.law.slip_bound = everywhere(problem.line, 0.5);
-    const ContactSolution tresca = solved(problem);
+    const ContactSolution<2> tresca = solved(problem);
     ASSERT_LT(tresca.pressure.row(0).maxCoeff(), -0.5);
     EXPECT_LT(relative_difference(limited.displacement, tresca.displacement),
               1e-10);

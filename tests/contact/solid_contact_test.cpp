@@ -18,7 +18,7 @@ using namespace test;
 
 RC_GTEST_PROP(SolidContact, fulfils_the_law_and_equilibrium, (Random random)) {
   const SolidProblem problem = random_problem(*real(0, 5), random);
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   RC_ASSERT(solution.accepted({}));
   RC_ASSERT(defects(problem, solution).largest() < 1e-8);
 }
@@ -32,10 +32,10 @@ ContactSettings in_single_precision() {
 RC_GTEST_PROP(SolidContact, is_the_same_by_a_factor_in_single_precision,
               (Random random)) {
   const SolidProblem problem = random_problem(*real(0, 2), random);
-  const SurfaceSolution solution = problem.solve(in_single_precision());
+  const ContactSolution<3> solution = problem.solve(in_single_precision());
   RC_ASSERT(solution.accepted({}));
   RC_ASSERT(defects(problem, solution).largest() < 1e-8);
-  const SurfaceSolution other = problem.solve();
+  const ContactSolution<3> other = problem.solve();
   const double size = other.displacement.cwiseAbs().maxCoeff();
   RC_ASSERT((solution.displacement - other.displacement).cwiseAbs().maxCoeff() <
             1e-7 * size);
@@ -47,7 +47,7 @@ TEST(SolidContact, tells_of_its_factor_and_of_every_step) {
   for (ContactSettings settings : {ContactSettings{}, in_single_precision()}) {
     std::vector<Progress> told;
     settings.report = [&](const Progress& p) { told.push_back(p); };
-    const SurfaceSolution solution = problem.solve(settings);
+    const ContactSolution<3> solution = problem.solve(settings);
     ASSERT_TRUE(solution.accepted({}));
     EXPECT_STREQ(told.front().phase, "factorisation");
     EXPECT_EQ(told.front().value, problem.mesh.vertices.size());
@@ -73,7 +73,7 @@ TEST(SolidContact, shortened_steps_end_cycles) {
 RC_GTEST_PROP(SolidContact, with_gaps_variable_friction_and_a_step_before_too,
               (Random random)) {
   const SolidProblem problem = rough_problem(random);
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   RC_ASSERT(solution.accepted({}));
   RC_ASSERT(defects(problem, solution).largest() < 1e-8);
 }
@@ -85,7 +85,7 @@ RC_GTEST_PROP(SolidContact, with_tresca_s_bound_or_a_shear_limit_too,
   (*rc::gen::arbitrary<bool>() ? problem.law.slip_bound
                                : problem.law.shear_limit) =
       2 * random_vector(nodes, random).cwiseAbs();
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   RC_ASSERT(solution.accepted({}));
   RC_ASSERT(defects(problem, solution).largest() < 1e-8);
 }
@@ -95,7 +95,7 @@ TEST(SolidContact, newton_finds_nodes_at_the_shear_limit) {
       block_problem(brick({8, 4, 4}, {80, 40, 40}), BlockCase::press, 0.5);
   const int nodes = problem.surface.node_count();
   problem.law.shear_limit = VectorXd::Constant(nodes, 0.4);
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   EXPECT_TRUE(solution.accepted({}) && solution.history.empty());
   EXPECT_LT(defects(problem, solution).largest(), 1e-8);
   int limited = 0, coulomb = 0;
@@ -121,7 +121,7 @@ RC_GTEST_PROP(SolidContact, on_a_curve_that_planes_of_symmetry_cut, ()) {
   problem.guide(low_y, 1);
   problem.guide(high_x, 0);  // normals are at 60 degrees to x there
   problem.load(high_z, {0, *real(-1, 1), -5});
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   RC_ASSERT(solution.accepted({}));
   RC_ASSERT(defects(problem, solution).largest() < 1e-8);
   RC_ASSERT(solution.force.row(0).sum() < 0);
@@ -136,10 +136,10 @@ INSTANTIATE_TEST_SUITE_P(Loads, BlockCases,
 TEST_P(BlockCases, factors_in_single_precision_are_enough) {
   const SolidProblem problem =
       block_problem(brick({8, 4, 4}, {80, 40, 40}), GetParam(), 0.5);
-  const SurfaceSolution exact = problem.solve();
+  const ContactSolution<3> exact = problem.solve();
   ContactSettings settings = in_single_precision();
   for (int step = 0; step < 2; ++step) {
-    const SurfaceSolution solution = problem.solve(settings);
+    const ContactSolution<3> solution = problem.solve(settings);
     EXPECT_TRUE(solution.accepted({}));
     EXPECT_EQ(solution.stiffness->precision(), Precision::single);
     EXPECT_LT(solution.residual, 1e-11);
@@ -165,7 +165,7 @@ TEST(SolidContact, factors_in_full_precision_where_single_is_not_enough) {
     ContactSettings settings = in_single_precision();
     settings.initial_state.assign(problem->surface.node_count(),
                                   ContactState::open);
-    const SurfaceSolution solution = problem->solve(settings);
+    const ContactSolution<3> solution = problem->solve(settings);
     EXPECT_TRUE(solution.accepted({}));
     EXPECT_EQ(solution.stiffness->precision(), Precision::full);
   }
@@ -176,11 +176,11 @@ TEST_P(BlockCases, start_by_themselves_on_another_mesh) {
   const SolidProblem problem =
       block_problem(brick({8, 4, 4}, {80, 40, 40}), GetParam(), 0.5);
   ContactSettings settings = in_single_precision();
-  const SurfaceSolution alone = problem.solve(settings);
+  const ContactSolution<3> alone = problem.solve(settings);
   settings.initial_state.assign(problem.surface.node_count(),
                                 ContactState::open);
   settings.state_of_another_mesh = true;
-  const SurfaceSolution other = problem.solve(settings);
+  const ContactSolution<3> other = problem.solve(settings);
   EXPECT_EQ(other.iterations, alone.iterations);
   EXPECT_EQ(other.displacement, alone.displacement);
 }
@@ -196,7 +196,7 @@ TEST_P(BlockCases, newton_needs_few_steps) {
         const SolidProblem problem = block_problem(
             straight ? bricks : moved(bricks, 10.0 / n, 0.15, random),
             GetParam(), mu);
-        const SurfaceSolution solution = problem.solve();
+        const ContactSolution<3> solution = problem.solve();
         EXPECT_TRUE(solution.accepted({}));
         EXPECT_TRUE(solution.history.empty());
         EXPECT_LE(solution.iterations, 20);
@@ -213,7 +213,7 @@ TEST_P(BlockCases, used_up_iterations_are_no_cycle) {
     ContactSettings settings;
     settings.solver = solver;
     settings.max_iterations = 1;
-    const SurfaceSolution solution = problem.solve(settings);
+    const ContactSolution<3> solution = problem.solve(settings);
     EXPECT_EQ(solution.status, ContactStatus::not_converged);
     EXPECT_EQ(solution.iterations, 1);
     EXPECT_GT(solution.complementarity, 1e-6);
@@ -226,8 +226,8 @@ TEST_P(BlockCases, fixed_point_and_newton_agree) {
         block_problem(brick({4, 2, 2}, {80, 40, 40}), GetParam(), mu);
     ContactSettings settings;
     settings.solver = ContactSolver::fixed_point;
-    const SurfaceSolution newton = problem.solve(),
-                          steps = problem.solve(settings);
+    const ContactSolution<3> newton = problem.solve(),
+                             steps = problem.solve(settings);
     EXPECT_TRUE(steps.accepted(settings));
     EXPECT_FALSE(steps.history.empty());
     EXPECT_LT((newton.force - steps.force).norm(), 1e-8 * newton.force.norm());
@@ -237,9 +237,9 @@ TEST_P(BlockCases, fixed_point_and_newton_agree) {
 TEST_P(BlockCases, no_friction_is_tresca_s_law_with_the_bound_0) {
   SolidProblem problem =
       block_problem(brick({4, 2, 2}, {80, 40, 40}), GetParam(), 0);
-  const SurfaceSolution coulomb = problem.solve();
+  const ContactSolution<3> coulomb = problem.solve();
   problem.law.slip_bound = VectorXd::Zero(problem.surface.node_count());
-  const SurfaceSolution tresca = problem.solve();
+  const ContactSolution<3> tresca = problem.solve();
   EXPECT_EQ(coulomb.displacement, tresca.displacement);
   EXPECT_EQ(coulomb.force, tresca.force);
   EXPECT_TRUE(coulomb.force.bottomRows<2>().isZero(0));
@@ -253,9 +253,9 @@ RC_GTEST_PROP(SolidContact, does_not_depend_on_numbers_and_units,
                                        BlockCase::shear, BlockCase::lift);
   const double mu = *real(0, 2);
   const SolidProblem problem = block_problem(mesh, loads, mu);
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   const Vector3d force = solution.force.rowwise().sum();
-  const SurfaceSolution other =
+  const ContactSolution<3> other =
       block_problem(shuffled(mesh, random), loads, mu).solve();
   RC_ASSERT((other.force.rowwise().sum() - force).norm() < 1e-9 * force.norm());
 
@@ -263,7 +263,7 @@ RC_GTEST_PROP(SolidContact, does_not_depend_on_numbers_and_units,
   SolidProblem scaled = problem;
   scaled.A *= unit;
   for (Index dof = 0; dof < scaled.b.size(); ++dof) scaled.b[dof] *= unit;
-  const SurfaceSolution in_units = scaled.solve();
+  const ContactSolution<3> in_units = scaled.solve();
   RC_ASSERT((in_units.force - unit * solution.force).norm() <
             1e-9 * unit * solution.force.norm());
 }
@@ -284,7 +284,7 @@ RC_GTEST_PROP(SolidContact, does_not_depend_on_the_direction_in_space,
       const Vector3d at = turn.transpose() * x;
       return Vector3d(turn * Vector3d(0.02, 0.01, -0.03 + 5e-4 * at.x()));
     });
-    const SurfaceSolution solution = problem.solve();
+    const ContactSolution<3> solution = problem.solve();
     Matrix3Xd forces(3, problem.surface.node_count());
     for (int i = 0; i < forces.cols(); ++i)
       forces.col(i) =
@@ -301,7 +301,7 @@ RC_GTEST_PROP(SolidContact, a_uniform_pressure_passes_exactly,
   problem.load(high_z, {0, 0, -10});
   problem.guide(low_x, 0);
   problem.guide(low_y, 1);
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   RC_ASSERT(solution.accepted({}));
   if (problem.law.friction[0] > 0) return;  // its lateral strain would slide
   for (int i = 0; i < problem.surface.node_count(); ++i)
@@ -336,7 +336,7 @@ RC_GTEST_PROP(SolidContact, homogeneous_slip_is_exact, (Random random)) {
     for (Index dof = 0; dof < problem.b.size(); ++dof)
       if (problem.A.coeff(dof, dof) < 1e20) problem.b[dof] = loaded.b[dof];
   }
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   RC_ASSERT(solution.accepted({}));
   const VectorXd expected = nodal_values(problem.mesh, exact);
   RC_ASSERT((solution.displacement - expected).norm() < 1e-9 * expected.norm());
@@ -348,7 +348,7 @@ TEST(SolidContact, friction_opposes_slip_in_any_direction) {
     SolidProblem problem(brick({3, 3, 2}, {3, 3, 2}), 0.3);
     const Vector3d drag(0.1 * std::cos(angle), 0.1 * std::sin(angle), -1e-3);
     problem.move(high_z, [&](const Vector3d&) { return drag; });
-    const SurfaceSolution solution = problem.solve();
+    const ContactSolution<3> solution = problem.solve();
     ASSERT_TRUE(solution.accepted({}));
     for (int i = 0; i < problem.surface.node_count(); ++i) {
       const Vector3d F = solution.force.col(i);
@@ -373,7 +373,7 @@ TEST(SolidContact, a_block_slides_at_mu_N_in_every_direction) {
             share * 0.3 * 10 * problem.surface.area[i] * lateral;
       return problem;
     };
-    const SurfaceSolution held = loaded(0.99).solve();
+    const ContactSolution<3> held = loaded(0.99).solve();
     EXPECT_TRUE(held.accepted({})) << angle;
     EXPECT_NE(refusal([&] { loaded(1.01).solve(); }).find("no equilibrium"),
               std::string::npos)
@@ -397,7 +397,7 @@ RC_GTEST_PROP(SolidContact, in_a_corner_of_three_planes, (Random random)) {
   problem.load(high_z, {0, 0, -3});
   problem.load(high_x, {-2, 0, 0});
   problem.load(high_y, {0, -1, 0});
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   RC_ASSERT(solution.accepted({}));
   RC_ASSERT(defects(problem, solution).largest() < 1e-8);
 }

@@ -15,7 +15,7 @@ using namespace test;
 RC_GTEST_PROP(StrongFriction, is_solved_and_certified, ()) {
   const ContactSettings settings;
   const Case c = *random_case(3);
-  const ContactSolution solution = solved(problem_of(c), settings);
+  const ContactSolution<2> solution = solved(problem_of(c), settings);
   RC_ASSERT(solution.accepted(settings));
 }
 
@@ -25,7 +25,7 @@ RC_GTEST_PROP(StrongFriction,
   settings.max_iterations = *rc::gen::inRange(1, 4);
   settings.solver =
       *rc::gen::element(ContactSolver::newton, ContactSolver::fixed_point);
-  const ContactSolution solution =
+  const ContactSolution<2> solution =
       solved(problem_of(*random_case(3)), settings);
   const bool within = solution.complementarity <= settings.tolerance &&
                       solution.residual <= settings.tolerance;
@@ -69,7 +69,7 @@ TEST(StrongFriction,
       active_set_newton(c.contact, c.law, c.sticking);
   ContactSettings settings;
   settings.max_iterations = newton.iterations + 1;
-  const ContactSolution solution = solved(problem, settings);
+  const ContactSolution<2> solution = solved(problem, settings);
   EXPECT_EQ(solution.iterations, settings.max_iterations);
   EXPECT_LT(solution.complementarity, 1.01 * newton.violation);
 }
@@ -82,11 +82,11 @@ TEST(StrongFriction, that_loads_nothing_is_no_scale_for_what_does) {
             [](const Vector2d&) { return Vector2d(1e-4, 0); });
   add_traction(problem, top, {0, -2});
   set_friction(problem, 1e3);
-  const ContactSolution rough = solved(problem);
+  const ContactSolution<2> rough = solved(problem);
   ASSERT_TRUE(rough.accepted({}));
   for (const double mu : {1e8, 1e12, 1e20}) {
     set_friction(problem, mu);
-    const ContactSolution solution = solved(problem);
+    const ContactSolution<2> solution = solved(problem);
     EXPECT_TRUE(solution.accepted({})) << mu;
     EXPECT_LT(relative_difference(solution.displacement, rough.displacement),
               1e-8)
@@ -124,7 +124,7 @@ TEST(StrongFriction, randomly_refined_mesh) {
       prescribe(problem, right, 0);
       set_friction(problem, mu);
       problem.law.multiplier = multiplier;
-      const ContactSolution solution = solved(problem);
+      const ContactSolution<2> solution = solved(problem);
       EXPECT_TRUE(solution.accepted({}))
           << "mu " << mu << ", multiplier " << static_cast<int>(multiplier)
           << ", " << in_words(solution.status) << ", violation "

@@ -15,8 +15,8 @@ TEST(Threads, do_not_change_a_digit_of_contact) {
   for (const Multiplier multiplier : both_multipliers) {
     const Problem problem = example_1(multiplier, 64);
     const auto solve = [&] { return solved(problem); };
-    const ContactSolution one = on_threads(1, solve),
-                          two = on_threads(2, solve);
+    const ContactSolution<2> one = on_threads(1, solve),
+                             two = on_threads(2, solve);
     EXPECT_EQ(two.state, one.state);
     EXPECT_EQ(two.displacement, one.displacement);
     EXPECT_EQ(two.pressure, one.pressure);
@@ -32,8 +32,8 @@ TEST(Threads, do_not_change_a_digit_of_contact_of_solids) {
   by_multigrid.linear = LinearSolver::multigrid;
   for (const ContactSettings& settings : {in_double, in_single, by_multigrid}) {
     const auto solve = [&] { return problem.solve(settings); };
-    const SurfaceSolution one = on_threads(1, solve),
-                          two = on_threads(2, solve);
+    const ContactSolution<3> one = on_threads(1, solve),
+                             two = on_threads(2, solve);
     EXPECT_EQ(two.displacement, one.displacement);
     EXPECT_EQ(two.force, one.force);
   }

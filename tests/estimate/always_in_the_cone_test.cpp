@@ -79,7 +79,7 @@ Problem random_problem(const std::string& law) {
 void obeys_the_law_between_the_nodes(const Problem& problem,
                                      const Estimate<2>& estimate) {
   const ContactLine& line = problem.line;
-  const ContactLaw& law = problem.law;
+  const ContactLaw<2>& law = problem.law;
   const double most = largest_traction(estimate.tractions),
                deepest = 1e-13 * estimate.displacement.cwiseAbs().maxCoeff();
   for (int e = 0; e < line.edge_count(); ++e)
@@ -103,7 +103,7 @@ void obeys_the_law_between_the_nodes(const Problem& problem,
 
 void is_admissible(const std::string& law) {
   const Problem problem = random_problem(law);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   RC_PRE(solution.accepted({}));
   RC_PRE((solution.pressure.row(0).array() < 0).count() > 1);
   const Tractions tractions =

@@ -52,7 +52,7 @@ SolidStack stack_of(int upper, int lower) {
 /// |u - u_h| of both bodies, where u is the solution on cells of size 1.
 double error_of(const VectorXd& coarse, int upper, int lower) {
   const SolidStack fine = stack_of(1, 1);
-  const SurfaceSolution reference = fine.problem.solve();
+  const ContactSolution<3> reference = fine.problem.solve();
   const Index of_upper = 3 * (upper_fine.array() / upper + 1).prod();
   const VectorXd first = on_finer_brick(coarse.head(of_upper),
                                         upper_fine / upper, upper),
@@ -69,7 +69,7 @@ double error_of(const VectorXd& coarse, int upper, int lower) {
 TEST(BondedSolidEstimate, bounds_the_error_closely) {
   for (const auto& [upper, lower] : {std::pair(3, 2), std::pair(2, 4)}) {
     const SolidStack two = stack_of(upper, lower);
-    const SurfaceSolution solution = two.problem.solve();
+    const ContactSolution<3> solution = two.problem.solve();
     const Estimate<3> found = estimate(two.problem, solution);
     ASSERT_EQ(found.reason, "");
     const double error = error_of(solution.displacement, upper, lower);

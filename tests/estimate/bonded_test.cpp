@@ -83,7 +83,7 @@ TEST(BondedEstimate, bounds_the_error_of_two_materials_closely) {
     Bodies two = bonded_blocks(5, 7, stiff, soft);
     pull(two);
     two.problem.law.multiplier = multiplier;
-    const ContactSolution solution = solved(two.problem);
+    const ContactSolution<2> solution = solved(two.problem);
     for (int count : {2, 6}) {
       const Estimate<2> estimate =
           estimated(two.problem, solution, sweeps(count));
@@ -167,7 +167,7 @@ TEST(BondedEstimate, falls_with_the_size_on_curves) {
 TEST(BondedEstimate, says_where_supports_tear_the_bodies_apart) {
   Bodies two = bonded_blocks(5, 7, stiff, soft);
   prescribe_around(two);
-  ContactSolution solution = solved(two.problem);
+  ContactSolution<2> solution = solved(two.problem);
   const int corner = two.joined.first_vertex[1] + 8 * 4;
   solution.displacement[2 * corner] += 1e-10;
   const Estimate<2> estimate = estimated(two.problem, solution, sweeps(0));

@@ -42,7 +42,7 @@ RC_GTEST_PROP(CompliantLayer, is_relaxed_with_the_bodies, (Random random)) {
   add_traction(two.problem, two.label(0, top), {1, -2});
   set_friction(two.problem, 1);
   two.problem.law.layer = random_layer(100);
-  const ContactSolution solution = solved(two.problem);
+  const ContactSolution<2> solution = solved(two.problem);
   RC_PRE(solution.status == ContactStatus::converged);
   falls_as_told([&](int steps) {
     return estimated(two.problem, solution, sweeps(steps));
@@ -54,7 +54,7 @@ RC_GTEST_PROP(CompliantLayer, is_relaxed_with_the_solids, (Random random)) {
   const Vector3d shift = 2e-3 * random_vector(3, random) - Vector3d(0, 0, 3e-3);
   problem.move(high_z, [&](const Vector3d&) { return shift; });
   problem.law.layer = random_layer(13e3);
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   RC_PRE(solution.status == ContactStatus::converged);
   falls_as_told([&](int steps) {
     return estimate(problem, solution, {steps, 0});

@@ -2,6 +2,7 @@
 // Solids whose contact normals turn over their faces: the pair obeys the law at every point.
 #include <gtest/gtest.h>
 
+#include "ffcontact/contact/law/cones_of_law.hpp"
 #include "ffcontact/estimate/error/face_fields.hpp"
 #include "support/solid_estimates.hpp"
 #include "support/solid_stacks.hpp"
@@ -42,7 +43,7 @@ void obeys_the_law_everywhere(const BoundedTraction& r,
 
 void is_judged(const SolidProblem& problem, double mu, double given,
                Random& random) {
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   RC_PRE(solution.status == ContactStatus::converged);
   const Estimate<3> found = estimate(problem, solution, {4, 0});
   RC_LOG() << found.reason << std::endl;
@@ -50,7 +51,7 @@ void is_judged(const SolidProblem& problem, double mu, double given,
   RC_ASSERT(found.contact >= 0);
   RC_ASSERT(found.equilibrium.largest() < 1e-10);
   const ContactSurface& surface = problem.surface;
-  const std::vector<FrictionCone> cones = law_cones(problem.law, surface);
+  const std::vector<FrictionCone> cones = law_cones(problem.law);
   const TractionFields tractions{found.tractions, found.face_tractions};
   const Vector2d largest(found.face_tractions.cwiseAbs().maxCoeff(),
                          found.displacement.cwiseAbs().maxCoeff());

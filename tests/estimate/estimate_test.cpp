@@ -60,7 +60,7 @@ TEST(Estimate, of_a_sticking_patch_is_zero_to_rounding) {
 
 RC_GTEST_PROP(Estimate, is_admissible_with_tractions_in_the_cone, ()) {
   const Problem problem = problem_of(*random_case(0.5));
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   RC_PRE(!solution.pressure.isZero(
       0));  // the next test is about bodies without contact
   const Tractions tractions =
@@ -78,7 +78,7 @@ TEST(Estimate, of_a_body_that_the_loads_lift_off_is_admissible) {
   clamp(problem, top);
   add_body_force(problem, {0, 0.1});
   set_friction(problem, 0.3);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   ASSERT_TRUE(solution.pressure.isZero(0));
   for (Tractions tractions : all_tractions) {
     const Estimate<2> estimate =
@@ -124,7 +124,7 @@ RC_GTEST_PROP(Estimate, parts_are_those_of_its_fields, ()) {
 
 RC_GTEST_PROP(Estimate, history_never_rises_and_ends_at_the_error, ()) {
   const Problem problem = problem_of(*random_case(0.5));
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   const Estimate<2> estimate = estimated(problem, solution, sweeps(4));
   RC_ASSERT(estimate.history.size() == 5u);
   for (int k = 0; k < 4; ++k) {
@@ -144,7 +144,7 @@ TEST(Estimate, keeps_equilibrium_however_many_sweeps_are_asked_for) {
       return {0.02, -0.01};
     });
     set_friction(problem, 0.3);
-    const ContactSolution solution = solved(problem);
+    const ContactSolution<2> solution = solved(problem);
     const double enough = estimated(problem, solution, sweeps(40)).e;
     for (const int count : {2, 20, 202, 1000}) {
       const Estimate<2> estimate = estimated(problem, solution, sweeps(count));
@@ -190,7 +190,7 @@ RC_GTEST_PROP(Estimate, of_the_rotated_body_is_the_same_with_little_friction,
 
 RC_GTEST_PROP(Estimate, has_an_admissible_displacement, ()) {
   const Problem problem = problem_of(*random_case(0.5));
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   const Estimate<2> estimate = estimated(problem, solution, sweeps(0));
   const double scale = solution.displacement.cwiseAbs().maxCoeff();
   RC_ASSERT(contact_components(problem.line, estimate.displacement)
@@ -216,7 +216,7 @@ TEST(Estimate, of_a_rigid_motion_is_zero) {
       problem.law.gap =
           everywhere(problem.line, problem.line.edge_normal(0).dot(motion));
       set_friction(problem, 0.3);
-      ContactSolution solution;
+      ContactSolution<2> solution;
       solution.displacement =
           nodal_values(problem.mesh, [&](const Vector2d&) { return motion; });
       // of a solver's rounding
@@ -238,7 +238,7 @@ TEST(Estimate, of_a_body_without_stress_that_penetrates_is_that_of_u_hat) {
   problem.law.multiplier = Multiplier::pressure;
   problem.law.gap = everywhere(problem.line, 1);
   problem.law.gap[2] = -0.1;
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   ASSERT_LT(solution.displacement.cwiseAbs().maxCoeff(), 1e-12);
   for (const double slip_bound : {0.0, 1.0}) {
     if (slip_bound > 0)
@@ -306,7 +306,7 @@ TEST(Estimate, says_where_u_penetrates) {
     clamp(problem, left);
     add_traction(problem, top, {0, -10});
     problem.law.multiplier = multiplier;
-    ContactSolution solution = solved(problem);
+    ContactSolution<2> solution = solved(problem);
     EXPECT_TRUE(estimated(problem, solution).admissible);
     problem.law.gap = everywhere(problem.line, 0);
     // the foundation now reaches into a clamped corner
@@ -326,7 +326,7 @@ TEST(Estimate, of_the_smooth_problem_in_contact_is_a_tight_bound) {
   const Manufactured exact = smooth_solution(0.3);
   for (int n : {8, 16, 24}) {
     const Problem problem = with_contact(exact, rectangle(n, n, 2, 2));
-    const ContactSolution solution = solved(problem);
+    const ContactSolution<2> solution = solved(problem);
     const double error = error_of(exact, problem, solution.displacement),
                  tightness[] = {1.16, 1.04, 1.02};
     for (int k = 1; k <= 3; ++k) {
@@ -340,7 +340,7 @@ TEST(Estimate, of_the_smooth_problem_in_contact_is_a_tight_bound) {
 TEST(Estimate, of_a_nearly_incompressible_body_stays_a_bound) {
   const Manufactured exact = smooth_solution(0.49);
   const Problem problem = with_contact(exact, rectangle(8, 8, 2, 2));
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   const double error = error_of(exact, problem, solution.displacement),
                e = estimated(problem, solution, sweeps(4)).e;
   EXPECT_GE(e, error);
@@ -355,7 +355,7 @@ RC_GTEST_PROP(Estimate, bounds_both_errors_together_without_friction,
       exact, irregular(*rc::gen::inRange(2, 7), 4, 2, 2, random));
   problem.law.multiplier =
       *rc::gen::element(Multiplier::force, Multiplier::pressure);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   RC_ASSERT(solution.status == ContactStatus::converged);
   const Estimate<2> estimate =
       estimated(problem, solution, sweeps(*rc::gen::inRange(0, 4)));
@@ -434,7 +434,7 @@ TEST(Estimate, of_example_2_falls_with_the_mesh_for_both_methods) {
 
 TEST(Estimate, by_polynomials_is_lower_and_says_that_it_is_not_admissible) {
   const Problem problem = example_1(Multiplier::force);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   EstimateSettings<2> settings = sweeps(2);
   const Estimate<2> composite = estimated(problem, solution, settings);
   settings.construction = Construction::polynomial;
@@ -487,7 +487,7 @@ TEST(Estimate, outside_the_cone_says_why_it_is_not_admissible) {
 
 TEST(Estimate, refuses_what_does_not_fit) {
   const Problem problem = example_1(Multiplier::force, 2);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   const auto refusal_of = [&](auto spoil) {
     SolvedBody<2> body = solved_body(problem, solution);
     EstimateSettings<2> settings;

@@ -181,7 +181,7 @@ RC_GTEST_PROP(FacingSolids, bounds_the_error_without_friction_and_with_trescas,
               (Random random)) {
   const LoadedPair loads(random);
   const SolidStack coarse = loads.on(1), fine = loads.on(2);
-  const SurfaceSolution solution = coarse.problem.solve();
+  const ContactSolution<3> solution = coarse.problem.solve();
   RC_PRE(solution.status == ContactStatus::converged);
   const Estimate<3> found = estimate(coarse.problem, solution);
   RC_ASSERT(found.reason == "");
@@ -203,7 +203,7 @@ RC_GTEST_PROP(FacingSolids, bounds_the_error_with_coulombs, (Random random)) {
   const double mu = *real(0.05, 0.7);
   coarse.problem.law.friction.setConstant(mu);
   fine.problem.law.friction.setConstant(mu);
-  const SurfaceSolution solution = coarse.problem.solve();
+  const ContactSolution<3> solution = coarse.problem.solve();
   RC_PRE(solution.status == ContactStatus::converged);
   const VectorXd off = fine.problem.solve().displacement -
                        loads.refined(coarse, solution.displacement);

@@ -82,7 +82,7 @@ TEST(InitialStress, in_balance_with_tractions_is_exact) {
   const LinearStresses<2> tau =
       at_vertices(problem.mesh, [=](const Vector2d&) { return sigma; });
   add_initial_stress(problem, tau);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   const Estimate<2> estimate = estimated(problem, solution, tau);
   EXPECT_TRUE(estimate.admissible) << estimate.reason;
   EXPECT_LT(estimate.relative, 1e-11);
@@ -127,7 +127,7 @@ RC_GTEST_PROP(InitialStress, that_varies_is_bounded_and_tight,
   add_body_force(problem, exact.force);
   problem.law.multiplier =
       *rc::gen::element(Multiplier::force, Multiplier::pressure);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   RC_ASSERT(solution.status == ContactStatus::converged);
   const Estimate<2> estimate = estimated(problem, solution, tau, sweeps(4));
   RC_ASSERT(estimate.admissible);
@@ -153,7 +153,7 @@ TEST(InitialStress, is_in_the_error_and_in_its_scale) {
   const LinearStresses<2> tau = at_vertices(problem.mesh, exact.tau);
   add_initial_stress(problem, tau);
   add_body_force(problem, exact.force);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   const LinearStresses<2> total = total_stresses(
       problem.mesh, solved_body(problem, solution, tau), solution.displacement);
   double difference = 0, sum = 0;
@@ -182,7 +182,7 @@ TEST(InitialStress, that_does_not_fit_is_refused) {
   Problem problem = on_rollers(0);
   LinearStresses<2> tau = heated(problem.mesh);
   add_initial_stress(problem, tau);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   const auto refusal_with = [&](const LinearStresses<2>& spoilt) {
     return refusal([&] { estimated(problem, solution, spoilt); });
   };

@@ -104,7 +104,7 @@ RC_GTEST_PROP(MatchingSolids, are_admissible_and_nearer_with_every_step,
               (Random random)) {
   const SolidProblem problem = random_halves(*real(0, 2), random).problem;
   RC_ASSERT(all_match(problem));
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   const Estimate<3> first = estimate(problem, solution, {0, 0}),
                     found = estimate(problem, solution, {7, 0});
   require_sound(found);
@@ -118,7 +118,7 @@ RC_GTEST_PROP(MatchingSolids, three_around_an_edge_are_admissible,
               (Random random)) {
   const SolidProblem problem = ThreeAround(*real(0, 1), random).problem;
   RC_ASSERT(all_match(problem));
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   RC_PRE(solution.status == ContactStatus::converged);
   const Estimate<3> found = estimate(problem, solution, {4, 0});
   RC_LOG() << found.reason << std::endl;
@@ -141,7 +141,7 @@ TEST(MatchingSolids, have_their_tractions_relaxed) {
 
 /// The e^2 that nothing lowers further.
 double least_square(const SolidProblem& problem,
-                    const SurfaceSolution& solution) {
+                    const ContactSolution<3>& solution) {
   const Topology<3> topology = topology_of(problem.mesh);
   const SolvedBody<3> body = solved_solid(problem, solution);
   const ElasticSystem system = problem.system();
@@ -191,7 +191,7 @@ TEST(MatchingSolids, that_stick_have_the_error_of_one_body) {
   put_on_ground(one, high_z, low_z);
   put_on_ground(two, stack.label(0, high_z), stack.label(1, low_z));
 
-  const SurfaceSolution together = two.solve(), glued = one.solve();
+  const ContactSolution<3> together = two.solve(), glued = one.solve();
   EXPECT_LT(together.force.row(0).maxCoeff(), 0);
   const Estimate<3> of_two = estimate(two, together),
                     of_one = estimate(one, glued);
@@ -215,7 +215,7 @@ RC_GTEST_PROP(MatchingSolids, have_the_contact_part_of_facing_ones,
                                             : ThreeAround(0.5, random).problem;
   const SolidMesh& mesh = problem.mesh;
   const ContactSurface& surface = problem.surface;
-  SurfaceLaw law = problem.law;
+  ContactLaw<3> law = problem.law;
   law.gap = random_vector(surface.node_count(), random);
   law.previous = random_matrix(2, surface.node_count(), random);
   const VectorXd u = random_vector(problem.b.size(), random);
@@ -241,7 +241,7 @@ RC_GTEST_PROP(MatchingSolids, beside_others_are_admissible, (Random random)) {
         {4e-4, -2e-4, -2e-3});
   if (random() % 2) stack.problem.load(stack.label(0, low_z), {0.5, 0, -1});
   if (random() % 2) stack.problem.load(stack.label(1, high_z), {0, 0.3, 0.2});
-  const SurfaceSolution solution = stack.problem.solve();
+  const ContactSolution<3> solution = stack.problem.solve();
   const Estimate<3> found = estimate(stack.problem, solution);
   RC_ASSERT(found.reason == "");
   RC_ASSERT(found.equilibrium.largest() < 1e-10);

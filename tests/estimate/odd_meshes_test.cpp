@@ -71,7 +71,7 @@ void keeps_what_is_promised(const std::string& name, const Mesh& mesh,
                             double push = 3) {
   for (Multiplier multiplier : {Multiplier::force, Multiplier::pressure}) {
     const Problem problem = pressed(mesh, multiplier, push);
-    const ContactSolution solution = solved(problem);
+    const ContactSolution<2> solution = solved(problem);
     ASSERT_TRUE(solution.accepted({}))
         << name << ": " << in_words(solution.status) << ", violation "
         << solution.complementarity << ", residual " << solution.residual;

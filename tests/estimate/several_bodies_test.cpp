@@ -16,7 +16,7 @@ constexpr Multiplier both[] = {Multiplier::force, Multiplier::pressure};
 TEST(SeveralBodiesEstimate, example_3_as_published) {
   for (const Multiplier multiplier : both) {
     const Bodies two = example_3(multiplier);
-    const ContactSolution solution = solved(two.problem);
+    const ContactSolution<2> solution = solved(two.problem);
     const ContactLine& line = two.problem.line;
     const auto ratio = [&](const ContactDensities& r, int end, int e) {
       return std::abs(r.tangential(end, e)) / (-0.3 * r.normal(end, e));
@@ -109,7 +109,7 @@ RC_GTEST_PROP(SeveralBodiesEstimate,
   const double mu = *real(0.3, 1);
   const Problem problem =
       sheared(random, *rc::gen::element(0.0, mu), *rc::gen::arbitrary<bool>());
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   RC_PRE(solution.accepted({}));
   for (const Tractions tractions : {Tractions::fixed, Tractions::free}) {
     const Estimate<2> estimate =
@@ -141,7 +141,7 @@ RC_GTEST_PROP(SeveralBodiesEstimate,
   set_friction(two.problem, 0.4);
   two.problem.law.multiplier =
       *rc::gen::element(Multiplier::force, Multiplier::pressure);
-  const ContactSolution solution = solved(two.problem);
+  const ContactSolution<2> solution = solved(two.problem);
   RC_PRE(solution.accepted({}));
   RC_ASSERT(std::abs(solution.force.row(0).sum() + 50) < 1e-5);
   const Estimate<2> estimate = estimated(two.problem, solution, sweeps(1));

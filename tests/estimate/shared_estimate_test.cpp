@@ -54,7 +54,7 @@ TEST(SharedEstimate, is_that_of_one_process) {
     Random random(seed);
     const SolidProblem problem =
         seed % 2 ? block_on_ground(random) : any_halves(random);
-    const SurfaceSolution solution = problem.solve();
+    const ContactSolution<3> solution = problem.solve();
     const Estimate<3> alone = estimate(problem, solution, {8, 0}),
                       shared = estimate(
                           problem, solution, {8, 0},

@@ -78,7 +78,7 @@ RC_GTEST_PROP(Slivers, keep_force_and_moment_where_contact_alone_holds,
   const SolidProblem problem =
       standing(shuffled(slivers(random), random), *rc::gen::element(0.4, 0.8),
                *rc::gen::arbitrary<bool>());
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   RC_PRE(solution.status == ContactStatus::converged);
   const Estimate<3> found = estimate(problem, solution);
   RC_ASSERT(found.reason == "");
@@ -90,7 +90,7 @@ RC_GTEST_PROP(Slivers, keep_force_and_moment_where_contact_alone_holds,
 double effectivity(const SolidMesh& mesh, int times,
                    const std::function<SolidProblem(const SolidMesh&)>& on) {
   const SolidProblem coarse = on(mesh);
-  const SurfaceSolution solution = coarse.solve();
+  const ContactSolution<3> solution = coarse.solve();
   VectorXd u = solution.displacement;
   SolidMesh fine_mesh = mesh;
   for (int k = 0; k < times; ++k) {

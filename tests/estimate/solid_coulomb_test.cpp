@@ -25,7 +25,7 @@ struct Nested {
 
 /// A solution with what is said of it.
 struct JudgedSolid {
-  SurfaceSolution solution;
+  ContactSolution<3> solution;
   Estimate<3> estimate;
   SolidCoulomb coulomb, held;
 
@@ -173,7 +173,7 @@ RC_GTEST_PROP(SolidCoulomb, bounds_the_error_under_random_loads,
 RC_GTEST_PROP(SolidCoulomb, directions_and_moments_are_those_of_the_pair,
               (Random random)) {
   const SolidProblem problem = AnyLoads(random).on({3, 2, 2});
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   RC_PRE(solution.status == ContactStatus::converged);
   const Estimate<3> found = estimate(problem, solution);
   const DirectedSlip slip =
@@ -263,7 +263,7 @@ TEST(SolidCoulomb, is_infinite_at_the_shear_limit_and_where_not_admissible) {
   limited.law.shear_limit = VectorXd::Constant(nodes, 1e3);
   EXPECT_TRUE(std::isfinite(JudgedSolid(limited).coulomb.bound));
 
-  const SurfaceSolution solution = limited.solve();
+  const ContactSolution<3> solution = limited.solve();
   Estimate<3> found = estimate(limited, solution);
   found.admissible = false;
   EXPECT_TRUE(std::isinf(coulomb_of(limited, solution, found).bound));
@@ -276,7 +276,7 @@ TEST(SolidCoulomb, weighs_a_coefficient_that_varies) {
   for (int i = 0; i < problem.surface.node_count(); ++i)
     problem.law.friction[i] =
         0.2 + 0.004 * problem.mesh.vertices(0, problem.surface.vertex[i]);
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   const Estimate<3> found = estimate(problem, solution);
   const DirectedSlip slip =
       directed_slip(topology_of(problem.mesh), problem.surface,

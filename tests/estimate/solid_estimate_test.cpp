@@ -49,7 +49,7 @@ RC_GTEST_PROP(SolidEstimate, falls_by_what_steps_and_passes_say,
               (Random random)) {
   // history is summed from the last e^2: the first must be that of no steps
   const SolidProblem problem = any_block(random);
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   const int steps = 1 + static_cast<int>(random() % 16);
   const Estimate<3> first = estimate(problem, solution, {0, 0}),
                     last = estimate(problem, solution, {steps, 0});
@@ -63,7 +63,7 @@ RC_GTEST_PROP(SolidEstimate, falls_by_what_steps_and_passes_say,
 /// Any law and displacement of the load step before, with friction that changes from
 /// node to node.
 SolidProblem with_any_law(SolidProblem problem, std::mt19937& random) {
-  SurfaceLaw& law = problem.law;
+  ContactLaw<3>& law = problem.law;
   const int nodes = problem.surface.node_count(), kind = random() % 3;
   const auto any = [&](double scale) -> VectorXd {
     return scale * random_vector(nodes, random).cwiseAbs();
@@ -78,7 +78,7 @@ SolidProblem with_any_law(SolidProblem problem, std::mt19937& random) {
 
 RC_GTEST_PROP(SolidEstimate, is_admissible_for_every_law, (Random random)) {
   const SolidProblem problem = with_any_law(any_block(random), random);
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   RC_PRE(solution.status == ContactStatus::converged);
   const Estimate<3> first = estimate(problem, solution, {0, 0}),
                     last = estimate(problem, solution);
@@ -111,7 +111,7 @@ TEST(SolidEstimate, of_a_side_that_sticks_is_that_of_a_clamped_one) {
 
 TEST(SolidEstimate, relaxes_contact_tractions_inside_the_cone) {
   const SolidProblem problem = block_problem(block(8), BlockCase::shear, 0.5);
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   const Estimate<3> before = estimate(problem, solution, {0, 0}),
                     after = estimate(problem, solution);
   EXPECT_LT(after.contact, 0.01 * after.e * after.e);
@@ -150,7 +150,7 @@ Bound bound_of(BlockCase loads, double friction, int cells, int ratio) {
   const SolidProblem coarse = block_problem(block(cells), loads, friction),
                      fine =
                          block_problem(block(cells * ratio), loads, friction);
-  const SurfaceSolution solution = coarse.solve();
+  const ContactSolution<3> solution = coarse.solve();
   const VectorXd interpolated = on_finer_brick(
       solution.displacement, {cells, cells / 2, cells / 2}, ratio);
   const VectorXd off = fine.solve().displacement - interpolated;
@@ -238,7 +238,7 @@ RC_GTEST_PROP(SolidEstimate, bounds_the_error_without_friction_and_with_trescas,
   const RandomLoads loads(random);
   const Vector3i cells(3, 2, 2);
   const SolidProblem coarse = loads.on(cells), fine = loads.on(3 * cells);
-  const SurfaceSolution solution = coarse.solve();
+  const ContactSolution<3> solution = coarse.solve();
   RC_PRE(solution.status == ContactStatus::converged);
   const Estimate<3> found = estimate(coarse, solution);
   RC_ASSERT(found.reason == "");
@@ -319,7 +319,7 @@ TEST(SolidEstimate, scales_with_lengths_and_moduli) {
       scaled.guide(low_x, 0);
       scaled.guide(low_y, 1);
       scaled.move(high_z, [](const Vector3d&) { return Vector3d::Zero(); });
-      const SurfaceSolution solution = scaled.solve();
+      const ContactSolution<3> solution = scaled.solve();
       SolvedBody<3> body = solved_solid(scaled, solution);
       for (auto& C : body.hooke) C *= modulus;
       const Estimate<3> found = estimate_error(
@@ -386,7 +386,7 @@ TEST(SolidEstimate, turns_last_digits_into_last_digits) {
   for (BlockCase loads :
        {BlockCase::press, BlockCase::press_x, BlockCase::shear}) {
     const SolidProblem problem = block_problem(block(8), loads, 0.5);
-    SurfaceSolution solution = problem.solve();
+    ContactSolution<3> solution = problem.solve();
     const double e = estimate(problem, solution).e;
     const VectorXd change =
         1e-13 * random_vector(solution.displacement.size(), random);
@@ -510,7 +510,7 @@ TEST(SolidEstimate, relaxation_pays_for_friction_that_tractions_do_not_use) {
 TEST(SolidEstimate, stress_has_the_moments) {
   std::mt19937 random(4);
   const SolidProblem problem = any_block(random);
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   const SolvedBody<3> body = solved_solid(problem, solution);
   const Topology<3> topology = topology_of(problem.mesh);
   const Estimate<3> found =
@@ -525,7 +525,7 @@ TEST(SolidEstimate, stress_has_the_moments) {
 
 TEST(SolidEstimate, names_what_does_not_fit) {
   const SolidProblem problem = block_problem(block(4), BlockCase::press, 0.5);
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   const Topology<3> topology = topology_of(problem.mesh);
   const auto said = [&](const SolvedBody<3>& body) {
     return refusal([&] {
@@ -566,7 +566,7 @@ TEST(SolidEstimate, of_a_body_without_stress_that_penetrates_is_that_of_u_hat) {
   const int nodes = problem.surface.node_count();
   problem.law.gap = VectorXd::Ones(nodes);
   problem.law.gap[2] = -0.1;
-  SurfaceSolution solution;
+  ContactSolution<3> solution;
   solution.displacement = VectorXd::Zero(problem.b.size());
   solution.force = Matrix3Xd::Zero(3, nodes);
   for (const double slip_bound : {0.0, 1.0}) {
@@ -586,7 +586,7 @@ TEST(SolidEstimate, of_a_body_that_slides_without_stress_has_friction) {
   const int nodes = problem.surface.node_count();
   problem.move(high_z, [](const Vector3d&) { return Vector3d(0.1, 0, 0); });
   problem.law.slip_bound = VectorXd::Constant(nodes, 1e-30);
-  SurfaceSolution solution;
+  ContactSolution<3> solution;
   solution.displacement = VectorXd::Zero(problem.b.size());
   for (int v = 0; v < problem.mesh.vertex_count(); ++v)
     solution.displacement[3 * v] = 0.1;

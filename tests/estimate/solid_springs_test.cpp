@@ -56,7 +56,7 @@ RC_GTEST_PROP(SolidSprings, are_exact_for_linear_displacements,
         springs);
   }
   assemble(springs, problem);
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   const Estimate<3> found = estimate(problem, solution, springs);
   RC_ASSERT(found.reason == "");
   RC_ASSERT(found.relative < 1e-9);
@@ -105,7 +105,7 @@ SprungBrick random_brick(Random& random) {
 RC_GTEST_PROP(SolidSprings, are_a_part_of_the_error, (Random random)) {
   const SprungBrick brick = random_brick(random);
   const SolidProblem problem = brick.on(1);
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   const BoundarySprings<3> springs = brick.springs_on(problem.mesh);
   const Estimate<3> found = estimate(problem, solution, springs);
   RC_ASSERT(found.reason == "");
@@ -224,7 +224,7 @@ TEST(SolidSprings, of_another_stiffness_are_refused_by_name) {
       },
       springs);
   assemble(springs, problem);
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   BoundarySprings<3> other = springs;
   other.stiffness *= 2;
   EXPECT_TRUE(says(refusal([&] { estimate(problem, solution, other); }),

@@ -43,7 +43,7 @@ TEST(Springs, that_press_a_block_uniformly_are_exact) {
         },
         springs);
     assemble(springs, problem);
-    const ContactSolution solution = solved(problem);
+    const ContactSolution<2> solution = solved(problem);
     EXPECT_LT((solution.pressure.row(0).array() + pressure).abs().maxCoeff(),
               1e-9 * pressure);
     const Estimate<2> estimate = estimated(problem, solution, springs);
@@ -94,7 +94,7 @@ RC_GTEST_PROP(Springs, are_exact_for_linear_displacements, (Random random)) {
     problem.neumann.col(b) += 0.5 * traction(sigma, across).replicate<2, 1>();
   }
   problem.b += boundary_forces<2>(mesh, problem.neumann);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   RC_ASSERT(solution.status == ContactStatus::converged);
   const Estimate<2> estimate = estimated(problem, solution, springs);
   RC_ASSERT(estimate.admissible);
@@ -203,7 +203,7 @@ RC_GTEST_PROP(Springs, error_is_bounded_with_their_energy, (Random random)) {
   const SprungBlock block = random_sprung_block(random);
   const Problem coarse = block.on(block.mesh),
                 fine = block.on(subdivided(block.mesh, 3));
-  const ContactSolution solution = solved(coarse), reference = solved(fine);
+  const ContactSolution<2> solution = solved(coarse), reference = solved(fine);
   RC_ASSERT(solution.status == ContactStatus::converged);
   const Estimate<2> estimate =
       estimated(coarse, solution, block.springs_on(coarse.mesh),
@@ -345,7 +345,7 @@ TEST(Springs, of_another_stiffness_are_refused_by_name) {
     return springs;
   };
   assemble(springs_of(30), problem);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   EXPECT_TRUE(estimated(problem, solution, springs_of(30)).admissible);
   EXPECT_TRUE(
       says(refusal([&] { estimated(problem, solution, springs_of(31)); }),

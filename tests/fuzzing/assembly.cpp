@@ -6,6 +6,7 @@
 #include <map>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/contact/solve_contact.hpp"
 
 namespace ffcontact::fuzz {
 
@@ -160,7 +161,7 @@ void put_law(const Case& problem, Assembled& parts) {
   const auto values = [&](const Field& field, bool positive) {
     return at_nodes(problem, field, parts, positive);
   };
-  ContactLaw& law = parts.law;
+  ContactLaw<2>& law = parts.law;
   law.multiplier = problem.multiplier;
   law.friction = VectorXd::Zero(parts.line.node_count());
   if (problem.law == Law::coulomb)
@@ -268,7 +269,7 @@ RigidTool rigid_tool(const Tool& tool, const Vector2d& origin) {
 
 }  // namespace
 
-SolvedBody<2> Assembled::solved(const ContactSolution& solution) const {
+SolvedBody<2> Assembled::solved(const ContactSolution<2>& solution) const {
   SolvedBody<2> body;
   body.hooke = hooke;
   body.displacement = solution.displacement;
@@ -302,7 +303,8 @@ Assembled assembled(const Case& problem) {
   return parts;
 }
 
-ContactSolution solved_contact(Assembled& parts, const ElasticSystem& system) {
+ContactSolution<2> solved_contact(Assembled& parts,
+                                  const ElasticSystem& system) {
   if (!parts.tool)
     return solve_contact(parts.mesh(), parts.line, parts.law, system);
   ToolSolution solved = solve_contact_with_tool(parts.mesh(), parts.line,
@@ -322,7 +324,7 @@ Refined refined(const Case& problem, const Assembled& coarse) {
     body.region = region;
   }
   fine.parts = assembled(fine.problem);
-  ContactLaw& law = fine.parts.law;
+  ContactLaw<2>& law = fine.parts.law;
   law.friction = on_halves(coarse, fine.parts, coarse.law.friction);
   law.slip_bound = on_halves(coarse, fine.parts, coarse.law.slip_bound);
   law.gap = on_halves(coarse, fine.parts, coarse.law.gap);

@@ -22,7 +22,7 @@ struct Assembled {
   JoinedMesh joined;
   Edges edges;
   ContactLine line;
-  ContactLaw law;
+  ContactLaw<2> law;
   /// per triangle of the joined mesh: its place in `elasticity`
   std::vector<int> region;
   /// C, Voigt with engineering shear, by our own formula
@@ -41,14 +41,15 @@ struct Assembled {
   VectorXd before_tool;  ///< `previous` before it moved
 
   const Mesh& mesh() const { return joined.mesh; }
-  SolvedBody<2> solved(const ContactSolution& solution) const;
+  SolvedBody<2> solved(const ContactSolution<2>& solution) const;
   /// A vertex in the coordinates of a coarser or finer mesh of the same bodies: joined
   /// meshes choose their origin.
   Vector2d point_in(const Assembled& other, int vertex) const;
 };
 
 /// With a tool, the law is then that against the foundation where it has moved it.
-ContactSolution solved_contact(Assembled& parts, const ElasticSystem& system);
+ContactSolution<2> solved_contact(Assembled& parts,
+                                  const ElasticSystem& system);
 
 /// @throws std::invalid_argument  where the library refuses mesh, line or traces
 Assembled assembled(const Case& problem);

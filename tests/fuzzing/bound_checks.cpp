@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/contact/solve_contact.hpp"
 #include "ground.hpp"
 
 namespace ffcontact::fuzz {
@@ -123,7 +124,8 @@ VectorXd on_fine_mesh(const Assembled& coarse, const Assembled& fine,
 /// 2 sum |r_i| |u_i - u_hat,i| over the free dofs, r = K u - b - contact forces. The
 /// reference has stresses in equilibrium with loads that are r off, which is rounding of
 /// K u: beside a soft part a stiff one makes it larger than (2.20) is sharp.
-double work_of_residual(const Assembled& fine, const ContactSolution& reference,
+double work_of_residual(const Assembled& fine,
+                        const ContactSolution<2>& reference,
                         const VectorXd& u_hat) {
   const VectorXd& u = reference.displacement;
   VectorXd r = fine.stiffness * u - fine.load;
@@ -189,7 +191,7 @@ Finds bound_finds(const Case& problem, const Assembled& parts,
   Refined fine = refined(problem, parts);
   for (int k = 1; k < times; ++k) fine = refined(fine.problem, fine.parts);
   fine.parts.law.multiplier = Multiplier::force;
-  const ContactSolution reference =
+  const ContactSolution<2> reference =
       solve_contact(fine.parts.mesh(), fine.parts.line, fine.parts.law,
                     elastic_system(fine.parts.A, fine.parts.b));
   if (!reference.accepted({}))

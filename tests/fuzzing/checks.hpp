@@ -31,14 +31,15 @@ Feasible feasible(const Case& problem, const Assembled& parts);
 /// the row's own); support: prescribed values; law: (3.17)-(3.22) node by node with our
 /// own W (1e-9).
 Finds solution_finds(const Case& problem, const Assembled& parts,
-                     const ContactSolution& solution);
+                     const ContactSolution<2>& solution);
 
 /// Does no density that is linear on the contact edges, and in the friction cone at nine
 /// places of each, have the resultants of the contact forces along the rigid motions that
 /// prescribed dofs leave free, and along those of a tool? So it is where a body stands on one end of its line: its
 /// reaction is concentrated, which no finite stress of the continuous problem has, and
 /// there is no admissible pair.
-bool no_density_holds(const Assembled& parts, const ContactSolution& solution);
+bool no_density_holds(const Assembled& parts,
+                      const ContactSolution<2>& solution);
 
 /// displacement: u_hat keeps prescribed values and does not penetrate (1e-9);
 /// divergence, jump, traction: div + f = 0 on each subtriangle, sigma n continuous and

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/contact/solve_contact.hpp"
 #include "generator.hpp"
 #include "ground.hpp"
 #include "trial.hpp"
@@ -16,7 +17,7 @@ namespace {
 struct Answer {
   Case problem;
   Assembled parts;
-  ContactSolution solution;
+  ContactSolution<2> solution;
   Estimate<2> estimate;
 };
 
@@ -262,7 +263,7 @@ TEST(holding, by_no_density_where_a_body_stands_on_one_end) {
   square.materials = {{1, 0.3}};
   Case problem;
   problem.contacts = {{0, {1}, {}}};
-  ContactSolution solution;
+  ContactSolution<2> solution;
   const auto held_at = [&](double place) {
     problem.bodies = {square};
     const Assembled parts = assembled(problem);

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact::fuzz {
 
@@ -146,10 +147,8 @@ Vector3d stress_of(const Mesh& mesh, int triangle, const Matrix3d& C,
 
 double displacement_scale(const Assembled& parts, const VectorXd& u) {
   double scale =
-      std::max(u.cwiseAbs().maxCoeff(), parts.value.cwiseAbs().maxCoeff());
-  for (const VectorXd* given : {&parts.law.gap, &parts.law.previous})
-    if (given->size() > 0)
-      scale = std::max(scale, given->cwiseAbs().maxCoeff());
+      std::max({max_norm(u), max_norm(parts.value), max_norm(parts.law.gap),
+                max_norm(parts.law.previous)});
   const VectorXd diagonal = parts.stiffness.diagonal();
   for (Index dof = 0; dof < diagonal.size(); ++dof)
     if (!parts.prescribed[dof])

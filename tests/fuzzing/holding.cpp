@@ -200,7 +200,8 @@ double distance_to_densities(const Dense& work, const Conditions& conditions,
 
 }  // namespace
 
-bool no_density_holds(const Assembled& parts, const ContactSolution& solution) {
+bool no_density_holds(const Assembled& parts,
+                      const ContactSolution<2>& solution) {
   const Dense motions = with_tool_motions(free_motions(parts), parts);
   if (motions.cols() == 0) return false;
   VectorXd resultants(motions.cols());

@@ -330,7 +330,7 @@ class Builder {
   }
 
   void put_law() {
-    SurfaceLaw& law = problem_.law;
+    ContactLaw<3>& law = problem_.law;
     const int nodes = problem_.surface.node_count();
     const int kind = dice_.integer(0, 9);
     double mu = 0;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ffcontact/contact/law/surface_law.hpp"
+#include "ffcontact/contact/law/contact_law.hpp"
 #include "ffcontact/equilibrium/tractions/face_tractions.hpp"
 #include "ffcontact/estimate/bodies/solved_body.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
@@ -27,7 +27,7 @@ struct SolidCase {
   SolidMesh mesh;
   Facets<3> faces;
   ContactSurface surface;
-  SurfaceLaw law;
+  ContactLaw<3> law;
   HookeTensors<3> hooke;
   std::vector<OnFace> on_face;             ///< of each boundary face
   Vector3d body_force = Vector3d::Zero();  ///< [N/mm^3]

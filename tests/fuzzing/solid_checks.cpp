@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "ffcontact/contact/solve_contact.hpp"
 #include "ffcontact/interface/weights_by_node.hpp"
 #include "ground.hpp"
 
@@ -76,7 +77,7 @@ bool is_free(const SolidCase& problem, int node) {
 }
 
 double bound_at(const SolidCase& problem, int node, double pressure) {
-  const SurfaceLaw& law = problem.law;
+  const ContactLaw<3>& law = problem.law;
   double bound = law.slip_bound.size() > 0 ? law.slip_bound[node]
                                            : law.friction[node] * pressure;
   if (law.shear_limit.size() > 0)
@@ -84,7 +85,7 @@ double bound_at(const SolidCase& problem, int node, double pressure) {
   return bound;
 }
 
-void check_balance(const SolidCase& problem, const SurfaceSolution& solution,
+void check_balance(const SolidCase& problem, const ContactSolution<3>& solution,
                    Finds& finds) {
   const VectorXd contact = contact_load(problem, solution.force),
                  residual = problem.stiffness * solution.displacement -
@@ -125,7 +126,7 @@ void check_supports(const SolidCase& problem, const VectorXd& u,
 }
 
 /// The law for forces over areas P at the nodes.
-void check_law(const SolidCase& problem, const SurfaceSolution& solution,
+void check_law(const SolidCase& problem, const ContactSolution<3>& solution,
                Finds& finds) {
   const Matrix3Xd v = motion_at_nodes(problem, solution.displacement);
   const double moved = largest_motion(problem, solution.displacement);
@@ -257,7 +258,7 @@ Side side_of(const Subdivided& stress, int cell, int k, const FaceKey& key) {
 
 class StressChecks {
  public:
-  StressChecks(const SolidCase& problem, const SurfaceSolution& solution,
+  StressChecks(const SolidCase& problem, const ContactSolution<3>& solution,
                const Estimate<3>& estimate)
       : problem_(problem), estimate_(estimate) {
     const Topology<3> topology = topology_of(problem.mesh);
@@ -545,7 +546,7 @@ bool contains(const std::string& text, const char* part) {
 }  // namespace
 
 Finds solid_solution_finds(const SolidCase& problem,
-                           const SurfaceSolution& solution) {
+                           const ContactSolution<3>& solution) {
   Finds finds;
   check_balance(problem, solution, finds);
   check_supports(problem, solution.displacement, "u_h", finds);
@@ -554,7 +555,7 @@ Finds solid_solution_finds(const SolidCase& problem,
 }
 
 Finds solid_estimate_finds(const SolidCase& problem,
-                           const SurfaceSolution& solution,
+                           const ContactSolution<3>& solution,
                            const Estimate<3>& estimate) {
   Finds finds;
   if (!estimate.admissible) {
@@ -573,7 +574,7 @@ Finds solid_estimate_finds(const SolidCase& problem,
 
 Finds solid_bound_finds(const SolidCase& problem, const Estimate<3>& estimate) {
   const SolidCase fine = refined_once(problem, contact_labels(problem));
-  const SurfaceSolution solution = solve_contact(
+  const ContactSolution<3> solution = solve_contact(
       fine.mesh, fine.surface, fine.law, elastic_system(fine.A(), fine.b(), 3));
   if (!solution.accepted({})) return {};
   double square = 0;
@@ -597,7 +598,7 @@ Outcome outcome_of(const SolidCase& problem) {
   try {
     const ElasticSystem system = elastic_system(problem.A(), problem.b(), 3);
     step = "contact";
-    const SurfaceSolution solution =
+    const ContactSolution<3> solution =
         solve_contact(problem.mesh, problem.surface, problem.law, system);
     if (!solution.accepted({})) {
       outcome.answer = std::string("not solved: ") + in_words(solution.status);

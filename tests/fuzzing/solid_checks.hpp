@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/contact/surface_solution.hpp"
+#include "ffcontact/contact/contact_solution.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "solid_case.hpp"
 #include "trial.hpp"
@@ -13,14 +13,14 @@ namespace ffcontact::fuzz {
 /// of the row's own); support: prescribed values; law: contact and friction node by node
 /// (1e-9), with Coulomb's friction against the motion.
 Finds solid_solution_finds(const SolidCase& problem,
-                           const SurfaceSolution& solution);
+                           const ContactSolution<3>& solution);
 
 /// pair: u_hat keeps supports and clears what it faces; stress: in equilibrium inside
 /// every subtetrahedron and across every face, given tractions, contact tractions and
 /// their reactions on the other bodies; cone: tractions at many places of every contact
 /// face; error: e^2 summed anew.
 Finds solid_estimate_finds(const SolidCase& problem,
-                           const SurfaceSolution& solution,
+                           const ContactSolution<3>& solution,
                            const Estimate<3>& estimate);
 
 /// bound: without friction, on a rigid plane, |u - u_hat| <= e for the solution u on

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/linear/norms.hpp"
 #include "ground.hpp"
 
 namespace ffcontact::fuzz {
@@ -257,7 +258,7 @@ VectorXd contact_load(const Assembled& parts, const Matrix2Xd& force) {
   return load;
 }
 
-void check_balance(const Assembled& parts, const ContactSolution& solution,
+void check_balance(const Assembled& parts, const ContactSolution<2>& solution,
                    Finds& finds) {
   const VectorXd contact = contact_load(parts, solution.force),
                  &u = solution.displacement;
@@ -288,7 +289,7 @@ void check_balance(const Assembled& parts, const ContactSolution& solution,
                             " of the forces there"));
 }
 
-void check_supports(const Assembled& parts, const ContactSolution& solution,
+void check_supports(const Assembled& parts, const ContactSolution<2>& solution,
                     Finds& finds) {
   for (int dof = 0; dof < parts.value.size(); ++dof)
     if (parts.prescribed[dof] &&
@@ -308,10 +309,8 @@ Matrix2Xd steered_jumps(const Assembled& parts, const VectorXd& u) {
   };
   Matrix2Xd w = against(u);
   const Matrix2Xd given = against(parts.value);
-  double scale = parts.value.cwiseAbs().maxCoeff();
-  for (const VectorXd* field : {&parts.law.gap, &parts.law.previous})
-    if (field->size() > 0)
-      scale = std::max(scale, field->cwiseAbs().maxCoeff());
+  const double scale = std::max({max_norm(parts.value), max_norm(parts.law.gap),
+                                 max_norm(parts.law.previous)});
   for (int i = 0; i < parts.line.node_count(); ++i) {
     const Vector2d n = parts.line.normal.col(i),
                    direction[2] = {n, {-n.y(), n.x()}};
@@ -341,7 +340,7 @@ Held held(const Assembled& parts, const Dense& W, int node) {
 }
 
 void check_law(const Case& problem, const Assembled& parts,
-               const ContactSolution& solution, Finds& finds) {
+               const ContactSolution<2>& solution, Finds& finds) {
   const ContactLine& line = parts.line;
   const int p = line.node_count();
   const bool pressures = problem.multiplier == Multiplier::pressure;
@@ -421,7 +420,7 @@ bool is_held_along(const Assembled& parts, int node) {
 
 /// The push of pressures is of all of them, that of forces of those that load the body.
 void check_tool(const Case& problem, const Assembled& parts,
-                const ContactSolution& solution, Finds& finds) {
+                const ContactSolution<2>& solution, Finds& finds) {
   if (!parts.tool) return;
   const ContactLine& line = parts.line;
   const bool of_all = problem.multiplier == Multiplier::pressure;
@@ -495,7 +494,7 @@ Feasible feasible(const Case& problem, const Assembled& parts) {
 }
 
 Finds solution_finds(const Case& problem, const Assembled& parts,
-                     const ContactSolution& solution) {
+                     const ContactSolution<2>& solution) {
   Finds finds;
   check_tool(problem, parts, solution, finds);
   check_balance(parts, solution, finds);

@@ -61,7 +61,7 @@ bool ended(const char* step, const Case& problem,
 
 void judge_estimate(const Case& problem, const Assembled& parts,
                     const ElasticSystem& system,
-                    const ContactSolution& solution, Outcome& outcome) {
+                    const ContactSolution<2>& solution, Outcome& outcome) {
   EstimateSettings<2> settings;
   settings.relaxation.steps = problem.sweeps;
   Estimate<2> estimate;
@@ -131,7 +131,7 @@ Outcome outcome_of(const Case& problem) {
   Outcome outcome;
   Assembled parts;
   ElasticSystem system;
-  ContactSolution solution;
+  ContactSolution<2> solution;
   if (!ended(
           "mesh and line", problem, always, [&] { parts = assembled(problem); },
           outcome))

@@ -17,7 +17,7 @@ double off_in_work(const Problem& problem, Random& random) {
   const ContactLine& line = problem.line;
   const Matrix2Xd force = random_matrix(2, line.node_count(), random);
   const VectorXd u = random_vector(problem.b.size(), random);
-  ContactLaw without_gap;
+  ContactLaw<2> without_gap;
   const Matrix2Xd jump = displacement_against_foundation(line, without_gap, u);
   return std::abs(nodal_load(line, force, u.size()).dot(u) -
                   force.cwiseProduct(jump).sum());

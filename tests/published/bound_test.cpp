@@ -16,7 +16,7 @@ constexpr int nx = 8, ny = 4, finer = 16;
 /// 2 mu int (r_n - r_hat_n)(|w_hat_t| - |w_t|) with r, w of the reference: the term of
 /// (2.14) without a sign.
 double coulomb_term(const Problem& coarse, const Estimate<2>& estimate,
-                    const Problem& fine, const ContactSolution& reference) {
+                    const Problem& fine, const ContactSolution<2>& reference) {
   const Matrix2Xd w = contact_components(fine.line, reference.displacement);
   const Matrix2Xd w_hat =
       contact_components(coarse.line, estimate.displacement);
@@ -69,7 +69,7 @@ struct Bound {
 Bound bound(const Law& law, unsigned seed) {
   const Problem coarse = pressed(1, law, seed),
                 fine = pressed(finer, law, seed);
-  const ContactSolution solution = solved(coarse), reference = solved(fine);
+  const ContactSolution<2> solution = solved(coarse), reference = solved(fine);
   EXPECT_EQ(solution.status, ContactStatus::converged);
   EXPECT_EQ(reference.status, ContactStatus::converged);
   const Estimate<2> estimate = estimated(coarse, solution, sweeps(2));
@@ -107,7 +107,7 @@ RC_GTEST_PROP(bound, holds_on_random_meshes_under_random_loads,
   const Problem coarse = problem_on(block.mesh);
   Problem fine = problem_on(subdivided(block.mesh, 3));
   fine.law.multiplier = Multiplier::force;
-  const ContactSolution solution = solved(coarse), reference = solved(fine);
+  const ContactSolution<2> solution = solved(coarse), reference = solved(fine);
   RC_ASSERT(solution.accepted({}) && reference.accepted({}));
   const Estimate<2> estimate = estimated(coarse, solution, sweeps(2));
   RC_ASSERT(estimate.admissible);

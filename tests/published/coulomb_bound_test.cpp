@@ -25,7 +25,7 @@ struct Judged {
 };
 
 Judged judged(const Problem& coarse, const Problem& fine) {
-  const ContactSolution solution = solved(coarse), reference = solved(fine);
+  const ContactSolution<2> solution = solved(coarse), reference = solved(fine);
   const Estimate<2> estimate = estimated(coarse, solution, sweeps(2));
   const SquaredDistances squares =
       squared_distances(coarse, estimate, fine, reference.displacement);

@@ -21,8 +21,9 @@ struct True {
 };
 
 /// |u_ref - u_h| and |u_ref + u_h| with a reference on squares cut into ratio x ratio.
-True against_reference(const Problem& coarse, const ContactSolution& solution,
-                       double friction, int ratio) {
+True against_reference(const Problem& coarse,
+                       const ContactSolution<2>& solution, double friction,
+                       int ratio) {
   const Problem fine =
       example_2(coarse.law.multiplier, friction, cells * ratio);
   const VectorXd reference = solved(fine).displacement;
@@ -35,7 +36,7 @@ True against_reference(const Problem& coarse, const ContactSolution& solution,
 /// The limit of nested references: |u - u_h|^2 = |u_ref - u_h|^2 + |u - u_ref|^2, and the
 /// last term falls geometrically (Aitken's extrapolation over references 4, 8 and 16
 /// times finer).
-True true_error(const Problem& coarse, const ContactSolution& solution,
+True true_error(const Problem& coarse, const ContactSolution<2>& solution,
                 double friction) {
   double square[3];
   True finest{};
@@ -55,7 +56,7 @@ class Table1 : public testing::TestWithParam<Row> {};
 TEST_P(Table1, true_error_as_printed_and_effectivity_below_1_20) {
   const Row row = GetParam();
   const Problem problem = example_2(Multiplier::force, row.friction, cells);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   const Estimate<2> estimate = estimated(problem, solution, sweeps(3));
   const True exact = true_error(problem, solution, row.friction);
   const double effectivity = estimate.e / exact.error;

@@ -33,7 +33,8 @@ TEST(two_bodies, bound_holds_for_tresca_and_without_friction) {
          {Multiplier::force, Multiplier::pressure}) {
       const Problem coarse = sheared(1, slip_bound, multiplier),
                     fine = sheared(12, slip_bound, multiplier);
-      const ContactSolution solution = solved(coarse), reference = solved(fine);
+      const ContactSolution<2> solution = solved(coarse),
+                               reference = solved(fine);
       ASSERT_TRUE(solution.accepted({}) && reference.accepted({}));
       const Estimate<2> estimate = estimated(coarse, solution, sweeps(2));
       ASSERT_TRUE(estimate.admissible) << estimate.reason;
@@ -55,7 +56,7 @@ TEST(two_bodies, matching_and_non_matching_answers_converge_to_each_other) {
       const auto energy = [&](int lower) {
         const Bodies two = example_3(multiplier, 8 * n, lower * n);
         EXPECT_EQ(two.problem.line.matches(), lower == 16);
-        const ContactSolution solution = solved(two.problem);
+        const ContactSolution<2> solution = solved(two.problem);
         EXPECT_TRUE(solution.accepted({}));
         return two.problem.system().load.dot(solution.displacement);
       };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "ffcontact/contact/law/cones_of_law.hpp"
 #include "ffcontact/contact/newton/surface_step.hpp"
 #include "support/condensed_blocks.hpp"
 

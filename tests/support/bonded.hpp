@@ -28,7 +28,7 @@ inline Bodies bonded_bodies(const std::vector<Mesh>& meshes,
                           {result.label(pair.second, pair.second_label)}))));
   }
   problem.line = joined_lines(lines);
-  problem.law = bonded_law(problem.line.node_count());
+  problem.law = bonded_law<2>(problem.line.node_count());
   return result;
 }
 
@@ -37,7 +37,7 @@ inline Problem bonded_body(const Mesh& mesh, const Material& material,
                            const std::vector<int>& labels = {bottom}) {
   Problem problem = body(mesh, material, labels);
   problem.line = bonded_line(mesh, problem.edges, labels);
-  problem.law = bonded_law(problem.line.node_count());
+  problem.law = bonded_law<2>(problem.line.node_count());
   return problem;
 }
 

@@ -9,7 +9,7 @@ namespace ffcontact::test {
 
 /// To a rigid foundation or to each other.
 inline void bond(SolidProblem& problem) {
-  problem.law = bonded_law<SurfaceLaw>(problem.surface.node_count());
+  problem.law = bonded_law<3>(problem.surface.node_count());
 }
 
 /// Bodies that are bonded one on the other.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ffcontact/bounds/quantity_bounds.hpp"
+#include "ffcontact/contact/solve_contact.hpp"
 #include "support/estimates.hpp"
 #include "support/quantities.hpp"
 #include "support/random.hpp"

@@ -18,8 +18,8 @@ inline ContactSettings by(LinearSolver linear) {
 
 /// By multigrid and by a factor.
 inline void expect_same(const SolidProblem& problem) {
-  const SurfaceSolution one = problem.solve(by(LinearSolver::multigrid)),
-                        other = problem.solve(by(LinearSolver::direct));
+  const ContactSolution<3> one = problem.solve(by(LinearSolver::multigrid)),
+                           other = problem.solve(by(LinearSolver::direct));
   ASSERT_TRUE(one.accepted({}));
   ASSERT_TRUE(other.accepted({}));
   EXPECT_EQ(one.multigrid, Multigrid::used);
@@ -32,12 +32,12 @@ inline void expect_same(const SolidProblem& problem) {
 
 /// A problem by multigrid from nothing, and from its own answer.
 struct ColdAndWarm {
-  SurfaceSolution cold, warm;
+  ContactSolution<3> cold, warm;
 
   explicit ColdAndWarm(const SolidProblem& problem) {
     ContactSettings settings = by(LinearSolver::multigrid);
     cold = problem.solve(settings);
-    const SurfaceLaw beyond =
+    const ContactLaw<3> beyond =
         on_layer(problem.law, lumped_pressures(problem.surface, cold.force));
     const Matrix3Xd v = displacement_against_foundation(problem.surface, beyond,
                                                         cold.displacement);

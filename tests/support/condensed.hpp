@@ -3,6 +3,7 @@
 
 #include "ffcontact/contact/active_set/active_set.hpp"
 #include "ffcontact/contact/condensed/condensed_contact.hpp"
+#include "ffcontact/contact/law/cones_of_law.hpp"
 #include "ffcontact/elastic/stiffness.hpp"
 #include "support/problems.hpp"
 

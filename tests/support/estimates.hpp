@@ -28,7 +28,7 @@ inline BodyLoadsOfCells<2> body_loads(const Problem& problem) {
 }
 
 inline SolvedBody<2> solved_body(const Problem& problem,
-                                 const ContactSolution& solution) {
+                                 const ContactSolution<2>& solution) {
   return {problem.hooke,     solution.displacement, solution.pressure,
           problem.law,       problem.neumann,       body_loads(problem),
           solution.stiffness};
@@ -43,7 +43,7 @@ inline EstimateSettings<2> sweeps(int count,
 }
 
 inline Estimate<2> estimated(const Problem& problem,
-                             const ContactSolution& solution,
+                             const ContactSolution<2>& solution,
                              const EstimateSettings<2>& settings = {}) {
   return estimate_error(topology_of(problem.mesh), problem.line,
                         problem.system(), solved_body(problem, solution),
@@ -89,7 +89,7 @@ inline Equilibrated equilibrated(const Problem& problem,
 }
 
 inline Equilibrated equilibrated(const Problem& problem,
-                                 const ContactSolution& solution) {
+                                 const ContactSolution<2>& solution) {
   return equilibrated(problem, solution.displacement,
                       edge_densities(problem.line, solution.pressure));
 }

@@ -32,7 +32,7 @@ inline void add_initial_stress(Problem& problem, const LinearStresses<2>& tau) {
 }
 
 inline SolvedBody<2> solved_body(const Problem& problem,
-                                 const ContactSolution& solution,
+                                 const ContactSolution<2>& solution,
                                  const LinearStresses<2>& tau) {
   SolvedBody<2> body = solved_body(problem, solution);
   body.initial = tau;
@@ -40,7 +40,7 @@ inline SolvedBody<2> solved_body(const Problem& problem,
 }
 
 inline Estimate<2> estimated(const Problem& problem,
-                             const ContactSolution& solution,
+                             const ContactSolution<2>& solution,
                              const LinearStresses<2>& tau,
                              const EstimateSettings<2>& settings = {}) {
   return estimate_error(topology_of(problem.mesh), problem.line,

@@ -205,7 +205,7 @@ class OddProblem {
         add_traction(problem, label, vector(load));
     }
     if (chance(0.3)) add_body_force(problem, vector(load / width_));
-    ContactLaw& law = problem.law;
+    ContactLaw<2>& law = problem.law;
     law.multiplier = chance(0.5) ? Multiplier::force : Multiplier::pressure;
     const auto node_values = [&](double low, double high) {
       const bool constant = chance(0.5);

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "ffcontact/contact/contact_solution.hpp"
+#include "ffcontact/contact/solve_contact.hpp"
 #include "ffcontact/elastic/loads_and_supports.hpp"
 #include "ffcontact/elastic/stiffness.hpp"
 #include "ffcontact/equilibrium/stress/facet_density.hpp"
@@ -46,7 +46,7 @@ struct Problem {
   VectorXd b;
   Matrix4Xd neumann;  ///< moments of the given tractions [4 x Mesh::boundary]
   Matrix2Xd body_force;  ///< per triangle
-  ContactLaw law;
+  ContactLaw<2> law;
 
   ElasticSystem system() const { return elastic_system(A, b); }
 };
@@ -155,8 +155,8 @@ inline Problem block_with_three_zones(int cells) {
   return problem;
 }
 
-inline ContactSolution solved(const Problem& problem,
-                              const ContactSettings& settings = {}) {
+inline ContactSolution<2> solved(const Problem& problem,
+                                 const ContactSettings& settings = {}) {
   return solve_contact(problem.mesh, problem.line, problem.law,
                        problem.system(), settings);
 }

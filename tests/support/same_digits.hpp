@@ -10,7 +10,7 @@ namespace ffcontact::test {
 
 /// The estimate does not depend on the number of threads, to the last digit.
 inline void expect_same_digits_on_two_threads(const SolidProblem& problem) {
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   const auto on = [&](int threads) {
     return on_threads(threads, [&] { return estimate(problem, solution); });
   };

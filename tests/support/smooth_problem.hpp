@@ -58,7 +58,7 @@ inline Problem without_contact(const Manufactured& exact, const Mesh& mesh) {
   for (int label : {bottom, right, top, left})
     clamp(problem, label, exact.displacement);
   problem.line = ContactLine{};
-  problem.law = ContactLaw{};
+  problem.law = ContactLaw<2>{};
   return problem;
 }
 

@@ -11,7 +11,7 @@
 namespace ffcontact::test {
 
 inline SolidCoulomb coulomb_of(const SolidProblem& problem,
-                               const SurfaceSolution& solution,
+                               const ContactSolution<3>& solution,
                                const Estimate<3>& estimate,
                                StuckNodes stuck = StuckNodes::may_slip) {
   std::vector<char> held(solution.state.size(), 0);

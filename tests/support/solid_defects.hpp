@@ -22,7 +22,7 @@ struct Defects {
 /// The largest |F_t| at a node under a normal force.
 inline double bound_at(const SolidProblem& problem, int node,
                        double normal_force) {
-  const SurfaceLaw& law = problem.law;
+  const ContactLaw<3>& law = problem.law;
   const double area = problem.surface.area[node];
   const double bound = law.slip_bound.size() > 0
                            ? law.slip_bound[node] * area
@@ -33,7 +33,7 @@ inline double bound_at(const SolidProblem& problem, int node,
 }
 
 inline Defects defects(const SolidProblem& problem,
-                       const SurfaceSolution& solution) {
+                       const ContactSolution<3>& solution) {
   Defects found;
   const ElasticSystem system = problem.system();
   const VectorXd& u = solution.displacement;

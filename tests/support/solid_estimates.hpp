@@ -8,7 +8,7 @@
 namespace ffcontact::test {
 
 inline SolvedBody<3> solved_solid(const SolidProblem& problem,
-                                  const SurfaceSolution& solution) {
+                                  const ContactSolution<3>& solution) {
   return {HookeTensors<3>(problem.mesh.cell_count(),
                           isotropic<3>(13e3 * 0.2 / 0.72, 13e3 / 2.4)),
           solution.displacement,
@@ -20,7 +20,7 @@ inline SolvedBody<3> solved_solid(const SolidProblem& problem,
 }
 
 inline Estimate<3> estimate(const SolidProblem& problem,
-                            const SurfaceSolution& solution,
+                            const ContactSolution<3>& solution,
                             const RelaxationSettings& settings = {},
                             const RelaxFacets<3>& relax = relax_facets<3>) {
   return estimate_error(topology_of(problem.mesh), problem.surface,

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "ffcontact/contact/surface_solution.hpp"
+#include "ffcontact/contact/solve_contact.hpp"
 #include "ffcontact/elastic/loads_and_supports.hpp"
 #include "ffcontact/elastic/stiffness.hpp"
 #include "ffcontact/equilibrium/tractions/face_tractions.hpp"
@@ -19,7 +19,7 @@ struct SolidProblem {
   SolidMesh mesh;
   Facets<3> faces;
   ContactSurface surface;
-  SurfaceLaw law;
+  ContactLaw<3> law;
   RowMatrix A;
   VectorXd b;
   FaceMoments neumann;  ///< of the loads on sides
@@ -38,7 +38,7 @@ struct SolidProblem {
   }
 
   ElasticSystem system() const { return elastic_system(A, b, 3); }
-  SurfaceSolution solve(const ContactSettings& settings = {}) const {
+  ContactSolution<3> solve(const ContactSettings& settings = {}) const {
     return solve_contact(mesh, surface, law, system(), settings);
   }
 

@@ -61,7 +61,7 @@ inline void assemble(const BoundarySprings<3>& springs, SolidProblem& problem) {
 }
 
 inline Estimate<3> estimate(const SolidProblem& problem,
-                            const SurfaceSolution& solution,
+                            const ContactSolution<3>& solution,
                             const BoundarySprings<3>& springs,
                             const RelaxationSettings& settings = {}) {
   SolvedBody<3> body = solved_solid(problem, solution);

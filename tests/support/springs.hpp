@@ -58,7 +58,7 @@ inline void assemble(const BoundarySprings<2>& springs, Problem& problem) {
 }
 
 inline Estimate<2> estimated(const Problem& problem,
-                             const ContactSolution& solution,
+                             const ContactSolution<2>& solution,
                              const BoundarySprings<2>& springs,
                              const EstimateSettings<2>& settings = {}) {
   SolvedBody<2> body = solved_body(problem, solution);

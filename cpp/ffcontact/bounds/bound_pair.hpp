@@ -31,7 +31,7 @@ template <int d>
 struct CoulombTerms {
   double share;  ///< mu kappa < 1
   BoundPair<d> known;
-  LawOfContact<d> frictionless;  ///< the bodies' law without its bound
+  ContactLaw<d> frictionless;  ///< the bodies' law without its bound
   VectorXd friction;  ///< 2 int mu |r_hat_n| |u_hat_t| on the contact facets
   VectorXd error;     ///< |d_hat|^2 of each cell (error_of)
 };

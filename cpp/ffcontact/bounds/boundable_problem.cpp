@@ -28,7 +28,7 @@ void require_near(const SolvedProblem<d>& solved) {
 /// @throws std::invalid_argument  where the theorem does not hold, or is not used yet
 template <int d>
 void require_covered(const SolvedBody<d>& body, bool for_coulomb) {
-  const LawOfContact<d>& law = body.law;
+  const ContactLaw<d>& law = body.law;
   if (law.bonded)
     refuse("there are no bounds of quantities of bonded bodies yet");
   const bool limited = law.shear_limit.size() > 0,
@@ -48,7 +48,7 @@ void require_covered(const SolvedBody<d>& body, bool for_coulomb) {
 }  // namespace
 
 template <int d>
-bool is_coulombs(const LawOfContact<d>& law) {
+bool is_coulombs(const ContactLaw<d>& law) {
   if (law.slip_bound.size() > 0) return false;
   if constexpr (d == 2)
     if (max_norm(law.between_nodes.most) > 0) return true;
@@ -67,6 +67,6 @@ void require_boundable(const SolvedProblem<d>& solved, const Estimate<d>& first,
 template void require_boundable(const SolvedProblem<FFCONTACT_DIMENSION>&,
                                 const Estimate<FFCONTACT_DIMENSION>&, bool);
 template bool is_coulombs<FFCONTACT_DIMENSION>(
-    const LawOfContact<FFCONTACT_DIMENSION>&);
+    const ContactLaw<FFCONTACT_DIMENSION>&);
 
 }  // namespace ffcontact

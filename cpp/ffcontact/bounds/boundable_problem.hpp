@@ -15,6 +15,6 @@ void require_boundable(const SolvedProblem<d>& solved, const Estimate<d>& first,
 
 /// Does the friction bound depend on the pressure?
 template <int d>
-bool is_coulombs(const LawOfContact<d>& law);
+bool is_coulombs(const ContactLaw<d>& law);
 
 }  // namespace ffcontact

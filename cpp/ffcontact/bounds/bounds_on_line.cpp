@@ -12,13 +12,13 @@ VectorXd nodal_forces(const MatchedBodies<2>& bodies,
 }
 
 template <>
-VectorXd twice_psi<2>(const MatchedBodies<2>& bodies, const ContactLaw& law,
+VectorXd twice_psi<2>(const MatchedBodies<2>& bodies, const ContactLaw<2>& law,
                       const VectorXd& v, const ContactDensities& rho) {
   return contact_error(bodies.contact(), law, rho, v);
 }
 
 template <>
-ContactLaw with_twice_the_bound<2>(ContactLaw law) {
+ContactLaw<2> with_twice_the_bound<2>(ContactLaw<2> law) {
   law.multiplier = Multiplier::force;
   law.slip_bound *= 2;
   law.between_nodes.least *= 2;
@@ -27,8 +27,8 @@ ContactLaw with_twice_the_bound<2>(ContactLaw law) {
 }
 
 template <>
-ContactLaw reflected(const SolvedProblem<2>& solved, const VectorXd& v) {
-  ContactLaw law = solved.body.law;
+ContactLaw<2> reflected(const SolvedProblem<2>& solved, const VectorXd& v) {
+  ContactLaw<2> law = solved.body.law;
   law.multiplier = Multiplier::force;
   const Matrix2Xd moved = contact_components(solved.contact, v);
   law.gap = on_the_other_side<VectorXd>(law.gap, moved.row(0));

@@ -47,7 +47,7 @@ VectorXd nodal_forces(const MatchedBodies<3>& bodies,
 }
 
 template <>
-VectorXd twice_psi<3>(const MatchedBodies<3>& bodies, const SurfaceLaw& law,
+VectorXd twice_psi<3>(const MatchedBodies<3>& bodies, const ContactLaw<3>& law,
                       const VectorXd& v, const SurfaceDensities& rho) {
   const auto& [mesh, faces, ridges, stars] = bodies.topology();
   return contact_error(mesh, faces, bodies.contact(), law,
@@ -55,14 +55,14 @@ VectorXd twice_psi<3>(const MatchedBodies<3>& bodies, const SurfaceLaw& law,
 }
 
 template <>
-SurfaceLaw with_twice_the_bound<3>(SurfaceLaw law) {
+ContactLaw<3> with_twice_the_bound<3>(ContactLaw<3> law) {
   law.slip_bound *= 2;
   return law;
 }
 
 template <>
-SurfaceLaw reflected(const SolvedProblem<3>& solved, const VectorXd& v) {
-  SurfaceLaw law = solved.body.law;
+ContactLaw<3> reflected(const SolvedProblem<3>& solved, const VectorXd& v) {
+  ContactLaw<3> law = solved.body.law;
   const Matrix3Xd moved = contact_components(solved.contact, v);
   law.gap = on_the_other_side<VectorXd>(law.gap, moved.row(0));
   law.previous =

@@ -4,7 +4,6 @@
 #include <type_traits>
 
 #include "ffcontact/contact/contact_solution.hpp"
-#include "ffcontact/contact/surface_solution.hpp"
 #include "ffcontact/estimate/admissible_pair.hpp"
 #include "ffcontact/estimate/bodies/matched_bodies.hpp"
 
@@ -32,10 +31,10 @@ inline SurfaceDensities facet_densities(const Estimate<3>& estimate) {
 }
 
 /// Multipliers of a solution, as in SolvedBody.
-inline const Matrix2Xd& multipliers_of(const ContactSolution& solution) {
+inline const Matrix2Xd& multipliers_of(const ContactSolution<2>& solution) {
   return solution.pressure;
 }
-inline const Matrix3Xd& multipliers_of(const SurfaceSolution& solution) {
+inline const Matrix3Xd& multipliers_of(const ContactSolution<3>& solution) {
   return solution.force;
 }
 
@@ -54,23 +53,23 @@ VectorXd nodal_forces(const MatchedBodies<d>& bodies,
 /// 2 Psi(v, rho) of a law on the contact facets (excess), at least: it is exact in the plane, and in
 /// space has FaceCosts for |v_t|, which is a bound that depends on v alone.
 template <int d>
-VectorXd twice_psi(const MatchedBodies<d>& bodies, const LawOfContact<d>& law,
+VectorXd twice_psi(const MatchedBodies<d>& bodies, const ContactLaw<d>& law,
                    const VectorXd& v, const FacetDensities<d>& rho);
 
 /// Nodal forces under twice the bound of Tresca's law.
 template <int d>
-LawOfContact<d> with_twice_the_bound(LawOfContact<d> law);
+ContactLaw<d> with_twice_the_bound(ContactLaw<d> law);
 
 /// Nodal forces, with gap and load step before on the other side of what v has: 2 gap -
 /// v_n, 2 previous - v_t.
 template <int d>
-LawOfContact<d> reflected(const SolvedProblem<d>& solved, const VectorXd& v);
+ContactLaw<d> reflected(const SolvedProblem<d>& solved, const VectorXd& v);
 
 /// Where v keeps clear, and of what.
 template <int d>
 struct ContactConditions {
   LineOrSurface<d> contact;
-  LawOfContact<d> law;
+  ContactLaw<d> law;
 };
 
 /// A small change of v that keeps clear along the facets, at vertices that supports leave

@@ -17,7 +17,7 @@ namespace {
 /// What differs by this part of the largest value is the same but for rounding.
 constexpr double rounding_of_values = 1e-12;
 
-bool friction_varies(const ContactLine& line, const ContactLaw& law, int e) {
+bool friction_varies(const ContactLine& line, const ContactLaw<2>& law, int e) {
   for (const ConesAtEnds& cones :
        {least_cones(line, law, e), most_cones(line, law, e)})
     for (const FrictionCone& cone : cones) {
@@ -105,13 +105,13 @@ VectorXd values_or_0(const VectorXd& values, int nodes) {
   return values.size() > 0 ? values : VectorXd::Zero(nodes);
 }
 
-ContactLaw frictionless(int nodes) {
-  ContactLaw law;
+ContactLaw<2> frictionless(int nodes) {
+  ContactLaw<2> law;
   law.friction = law.gap = VectorXd::Zero(nodes);
   return law;
 }
 
-ContactLaw without_bound(ContactLaw law) {
+ContactLaw<2> without_bound(ContactLaw<2> law) {
   law.slip_bound.resize(0);
   law.between_nodes = {};
   return law;
@@ -148,8 +148,8 @@ void require_coulomb_covered(const SolvedProblem<2>& solved,
   }
 }
 
-ContactLaw with_bound_of(ContactLaw law, const ContactLine& line,
-                         const ContactDensities& tractions) {
+ContactLaw<2> with_bound_of(ContactLaw<2> law, const ContactLine& line,
+                            const ContactDensities& tractions) {
   const Matrix2Xd bounds = bounds_at_ends(line, law.friction, tractions);
   law.multiplier = Multiplier::force;
   law.slip_bound = means_at_nodes(line, bounds);
@@ -159,7 +159,7 @@ ContactLaw with_bound_of(ContactLaw law, const ContactLine& line,
 }
 
 ContactConditions<2> conditions_of_coulomb(const ContactLine& line,
-                                           const ContactLaw& law,
+                                           const ContactLaw<2>& law,
                                            const VectorXd& u_hat) {
   const int p = line.node_count();
   const VectorXd slip = slip_of_one_sign(
@@ -183,7 +183,7 @@ ContactConditions<2> conditions_of_coulomb(const ContactLine& line,
 CoulombTerms<2> coulomb_terms(const MatchedBodies<2>& bodies,
                               const Estimate<2>& first, double share) {
   const Matrix2Xd none = Matrix2Xd::Zero(2, bodies.contact().edge_count());
-  const ContactLaw& law = bodies.body().law;
+  const ContactLaw<2>& law = bodies.body().law;
   BoundPair<2> known = pair_of(first);
   VectorXd friction =
       twice_psi<2>(bodies, law, first.displacement, {none, none});

@@ -15,15 +15,15 @@ void require_coulomb_covered(const SolvedProblem<2>& solved,
 
 /// Nodal forces under Tresca's law with the bound mu |r_hat_n|: exactly along the edges, at the
 /// nodes its mean of both sides.
-ContactLaw with_bound_of(ContactLaw law, const ContactLine& line,
-                         const ContactDensities& tractions);
+ContactLaw<2> with_bound_of(ContactLaw<2> law, const ContactLine& line,
+                            const ContactDensities& tractions);
 
 /// v_n - gap +- mu (v_t - previous) <= mu |u_hat_t - previous| as two nodes without friction at
 /// each node, of directions (n +- mu t) / (1 + mu^2)^(1/2): the second p nodes are those of
 /// the minus. Where u_hat_t changes its sign along an edge, 0 stands for |u_hat_t| at both
 /// ends.
 ContactConditions<2> conditions_of_coulomb(const ContactLine& line,
-                                           const ContactLaw& law,
+                                           const ContactLaw<2>& law,
                                            const VectorXd& u_hat);
 
 /// @param bodies  under with_bound_of

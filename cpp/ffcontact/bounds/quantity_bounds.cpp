@@ -12,7 +12,8 @@
 #include "ffcontact/bounds/coulomb_on_line.hpp"
 #include "ffcontact/bounds/longest_step.hpp"
 #include "ffcontact/bounds/step_search.hpp"
-#include "ffcontact/contact/refinement.hpp"
+#include "ffcontact/contact/residual_defect.hpp"
+#include "ffcontact/contact/solve_contact.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "ffcontact/linear/norms.hpp"
 
@@ -64,7 +65,7 @@ class BoundsByTurns {
 
   /// Of bodies whose law is with_bound_of.
   /// @param law  Coulomb's
-  void put_coulomb(const LawOfContact<d>& law) {
+  void put_coulomb(const ContactLaw<d>& law) {
     const VectorXd& u_hat = first_.displacement;
     coulomb_ = coulomb_terms(bodies_, first_, *settings_.friction_share);
     sought_ = clear_ = conditions_of_coulomb(solved_.contact, law, u_hat);

@@ -12,27 +12,38 @@
 
 namespace ffcontact {
 
-/// A solution of Coulomb's discrete frictional contact problem [CHH01, Definition 3.1].
+/// Did multigrid solve it, or a factor after it?
+enum class Multigrid { unused, used, in_vain };
+
+/// A solution of the discrete frictional contact problem [CHH01, Definition 3.1].
+template <int d>
 struct ContactSolution {
+  using NodalVectors = Matrix<double, d, Dynamic>;
+
   /// anything but converged: the rest is the best iterate
   ContactStatus status = ContactStatus::not_converged;
   VectorXd displacement;  ///< u_h on all dofs [mm]
-  /// nodal values (lambda_n, lambda_t) of the multipliers [MPa], compression < 0
-  Matrix2Xd pressure;
-  Matrix2Xd force;  ///< nodal forces (F_n, F_t) = M (lambda_n, lambda_t) [N/mm]
-  ContactStates state;  ///< per node
-  int iterations = 0;   ///< dense systems solved
+  /// nodal values (lambda_n, lambda_t) of the multipliers of plane bodies [MPa, 2 x p],
+  /// compression < 0; empty for solids
+  NodalVectors pressure;
+  /// nodal forces (F_n, F_t) [N, d x p], in the plane M (lambda_n, lambda_t) [N/mm]
+  NodalVectors force;
+  /// per node; of solids slip_forward for slip in any direction
+  ContactStates state;
+  int iterations = 0;  ///< dense systems solved
   std::vector<double>
       /// relative change of lambda_n per step of the fixed point; empty where Newton was
       /// enough
       history;
-  /// complementarity_defect of the answer
+  /// law_violation of displacement and multipliers
   double complementarity = 0;
-  double residual = 0;  ///< residual_defect of the answer
-  /// K and its factor, for further loads and for the estimate
+  double residual = 0;  ///< ResidualDefect of the answer
+  /// K and its factor, for further loads and for the estimate; null where multigrid was
+  /// enough
   std::shared_ptr<const CondensedStiffness> stiffness;
-  /// the relation between P and v that was solved
+  /// the relation between P and v that was solved, of plane bodies
   std::shared_ptr<const CondensedContact> contact;
+  Multigrid multigrid = Multigrid::unused;
 
   bool accepted(const ContactSettings& settings) const {
     return status == ContactStatus::converged &&
@@ -40,33 +51,6 @@ struct ContactSolution {
            residual <= settings.tolerance;
   }
 };
-
-/// Solves K u = b + B' P under the conditions of Prop. 3.4 / 3.5 for a body on a rigid
-/// foundation, or for bodies against each other (a joined mesh and system, and lines with
-/// their opposite bodies; u_n and u_t are then the jumps [u] . n and [u] . t, and -P acts
-/// on the opposite body): one factorisation, the condensed relation between P and v, the
-/// chosen solver on it, one back-substitution.
-///
-/// The quasi-static path of a load that changes direction is a sequence of such problems
-/// with ContactLaw::previous and ContactSettings::initial_state taken from the step
-/// before.
-///
-/// Multipliers at nodes with a prescribed dof: for Multiplier::force no equation gives F
-/// there, which is returned as 0; lambda is then 0 or continued from the next node
-/// (CondensedContact) and M L = F is solved on the others. For Multiplier::pressure
-/// complementarity determines lambda unless W u vanishes identically there; then the same
-/// is done.
-///
-/// Where contact leaves a motion free on which no load works (a body on a frictionless
-/// plane), displacements are determined up to it, and one of them is returned.
-/// @throws std::invalid_argument  for input that does not fit, prescribed displacements
-///                                that penetrate (require_feasible), or
-///                                loads that contact cannot balance (with the motion named)
-/// @throws std::runtime_error     if a part of the body is held by nothing
-ContactSolution solve_contact(const Mesh& mesh, const ContactLine& line,
-                              const ContactLaw& law,
-                              const ElasticSystem& system,
-                              const ContactSettings& settings = {});
 
 /// States of a new line from those of an earlier one (the mesh before adaptation): of the
 /// old node nearest in abscissa.

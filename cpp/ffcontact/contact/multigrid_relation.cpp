@@ -25,57 +25,38 @@ constexpr double first_residual = 1e-2, most_residual = 0.1,
 
 /// Rows: v and P of the nodes, behind them y and the forces K u - b on y that no condition of
 /// a node asks for, which are to be 0.
-class OfMultigrid : public SurfaceRelation, private NewtonRelation {
+class OfMultigrid : public ContactRelation, private NewtonRelation {
  public:
   OfMultigrid(const Matrix3Xd& vertices, const StatedSurface& stated)
       : stated_(stated),
-        unknowns_(surface_unknowns(stated.surface, stated.trace,
+        unknowns_(surface_unknowns(stated.contact, stated.trace,
                                    stated.law.layer, stated.system)),
         step_(told(stated), vertices, unknowns_) {
     put_loads(stated.system.load, stated.trace.trace.v_prescribed, {});
   }
 
-  FixedPointResult answer() override {
+  RelationAnswer answer() override {
     const ContactSettings& settings = stated_.settings;
     const NewtonSettings limits{
         std::min(most_multigrid_systems, settings.max_iterations),
         settings.tolerance, settings.report, settings.tolerance};
     if (!settings.near)
-      return {answer_from(settings.first_states(stated_.cones.node_count()),
-                          limits),
-              {}};
-    ActiveSetResult best = answer_near(
+      return whole(answer_from(
+          settings.first_states(stated_.cones.node_count()), limits));
+    ActiveSetResult best = answer_from(
         *settings.near, limits.with_at_most(std::min(most_near_systems,
                                                      limits.max_iterations)));
     const int left = limits.max_iterations - best.iterations;
     if (best.status != ContactStatus::converged && left > 0)
       best.add(answer_from(settings.first_states(stated_.cones.node_count()),
                            limits.with_at_most(left)));
-    return {std::move(best), {}};
+    return whole(std::move(best));
   }
 
-  void put_loads(const VectorXd& load, const VectorXd& v_prescribed,
-                 const VectorXd& P) override {
-    load_ = unknowns_.frames.components(load);
-    conditions_.put(v_prescribed, P);
-    const VectorXd given = given_forces();
-    largest_load_ = max_norm(given);
-    least_ = least_scales(given);
-  }
-
-  ActiveSetResult answer_near(const ContactRows& rows,
-                              const NewtonSettings& limits) override {
-    last_missed_ = 0;
-    const VectorXd y = conditions_.y_of(rows.v, rows.P);
-    ContactRows near = conditions_.rows_of(y, forces(y));
-    near.P.head(nodal()) = rows.P.head(nodal());
-    near.v.head(nodal()) = rows.v.head(nodal());
-    return surface_newton(*this, stated_.cones, stated_.trace.held, near,
-                          limits);
-  }
-
-  VectorXd displacement(const ContactRows& rows) const override {
-    return unknowns_.frames.displacement(rows.v.tail(load_.size()));
+  RelationAnswer corrected(const LastAnswer& last,
+                           const NewtonSettings& limits) override {
+    put_loads(last.load, last.v, last.law.P);
+    return whole(answer_from(ContactRows{last.law.P, last.law.v}, limits));
   }
 
   /// As law_scales.
@@ -85,6 +66,31 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
   double largest_load() const override { return largest_load_; }
 
  private:
+  void put_loads(const VectorXd& load, const VectorXd& v_prescribed,
+                 const VectorXd& P) {
+    load_ = unknowns_.frames.components(load);
+    conditions_.put(v_prescribed, P);
+    const VectorXd given = given_forces();
+    largest_load_ = max_norm(given);
+    least_ = least_scales(given);
+  }
+
+  RelationAnswer whole(ActiveSetResult law) const {
+    const VectorXd u = unknowns_.frames.displacement(law.v.tail(load_.size()));
+    return {{std::move(law), {}}, u};
+  }
+
+  ActiveSetResult answer_from(const ContactRows& rows,
+                              const NewtonSettings& limits) {
+    last_missed_ = 0;
+    const VectorXd y = conditions_.y_of(rows.v, rows.P);
+    ContactRows near = conditions_.rows_of(y, forces(y));
+    near.P.head(nodal()) = rows.P.head(nodal());
+    near.v.head(nodal()) = rows.v.head(nodal());
+    return surface_newton(*this, stated_.cones, stated_.trace.held, near,
+                          limits);
+  }
+
   ActiveSetResult answer_from(const ContactStates& states,
                               const NewtonSettings& limits) {
     last_missed_ = 0;
@@ -195,7 +201,7 @@ class OfMultigrid : public SurfaceRelation, private NewtonRelation {
 
 }  // namespace
 
-std::unique_ptr<SurfaceRelation> multigrid_relation(
+std::unique_ptr<ContactRelation> multigrid_relation(
     const Matrix3Xd& vertices, const StatedSurface& stated) {
   return std::make_unique<OfMultigrid>(vertices, stated);
 }

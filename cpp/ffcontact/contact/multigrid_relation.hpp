@@ -3,7 +3,8 @@
 
 #include <memory>
 
-#include "ffcontact/contact/surface_relation.hpp"
+#include "ffcontact/contact/contact_relation.hpp"
+#include "ffcontact/contact/stated_surface.hpp"
 
 namespace ffcontact {
 
@@ -14,7 +15,7 @@ namespace ffcontact {
 /// and of Schur's complement grow like its powers 1.4 and 2.
 /// @param vertices  of the mesh
 /// @param stated    whose trace has own unknowns (has_own_unknowns); outlives it
-std::unique_ptr<SurfaceRelation> multigrid_relation(
+std::unique_ptr<ContactRelation> multigrid_relation(
     const Matrix3Xd& vertices, const StatedSurface& stated);
 
 }  // namespace ffcontact

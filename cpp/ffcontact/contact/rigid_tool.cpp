@@ -10,7 +10,9 @@
 #include "ffcontact/contact/checks/balance.hpp"
 #include "ffcontact/contact/checks/line_balance.hpp"
 #include "ffcontact/contact/condensed_answer.hpp"
+#include "ffcontact/contact/law/cones_of_law.hpp"
 #include "ffcontact/contact/law/held_rows.hpp"
+#include "ffcontact/contact/solve_contact.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
@@ -37,7 +39,7 @@ VectorXd plus(const VectorXd& values, const VectorXd& more) {
   return values.size() > 0 ? VectorXd(values + more) : more;
 }
 
-ContactLaw against_moved(ContactLaw law, const Matrix2Xd& z) {
+ContactLaw<2> against_moved(ContactLaw<2> law, const Matrix2Xd& z) {
   law.gap = plus(law.gap, z.row(0));
   law.previous = plus(law.previous, z.row(1));
   return law;
@@ -110,7 +112,7 @@ MatrixXd tool_fields(const Mesh& mesh, const RigidTool& tool) {
 namespace {
 
 ToolSolution solution_with_tool(const Mesh& mesh, const ContactLine& line,
-                                const ContactLaw& law,
+                                const ContactLaw<2>& law,
                                 const ElasticSystem& system,
                                 const RigidTool& tool,
                                 const ContactSettings& settings) {
@@ -142,7 +144,7 @@ ToolSolution solution_with_tool(const Mesh& mesh, const ContactLine& line,
       against_moved(law,
                     felt_components(mesh, line, system, tool, result.motion)),
       system, next);
-  ContactSolution& solution = result.solution;
+  ContactSolution<2>& solution = result.solution;
   solution.iterations += answer.iterations;
   if (answer.status != ContactStatus::converged)
     solution.status = answer.status;
@@ -156,7 +158,7 @@ ToolSolution solution_with_tool(const Mesh& mesh, const ContactLine& line,
 }
 
 /// Gaps of at most this.
-ContactLaw with_gaps_up_to(ContactLaw law, double most) {
+ContactLaw<2> with_gaps_up_to(ContactLaw<2> law, double most) {
   law.gap = law.gap.cwiseMin(most);
   return law;
 }
@@ -178,7 +180,7 @@ double largest_motion(const Mesh& mesh, const ContactLine& line,
 }  // namespace
 
 ToolSolution solve_contact_with_tool(const Mesh& mesh, const ContactLine& line,
-                                     const ContactLaw& law,
+                                     const ContactLaw<2>& law,
                                      const ElasticSystem& system,
                                      const RigidTool& tool,
                                      const ContactSettings& settings) {

@@ -34,8 +34,8 @@ struct ToolSolution {
   Vector3d motion;  ///< of the tool [mm, mm, 1]
   /// the law against the moved foundation, in which its motion is a gap and a previous
   /// displacement: what is left is a problem of prescribed motion
-  ContactLaw law;
-  ContactSolution solution;
+  ContactLaw<2> law;
+  ContactSolution<2> solution;
   /// what the forces miss of the push along the free motions, relative to it
   double imbalance;
 };
@@ -47,7 +47,7 @@ struct ToolSolution {
 ///                                free or a value is not finite, or no contact forces
 ///                                balance the push
 ToolSolution solve_contact_with_tool(const Mesh& mesh, const ContactLine& line,
-                                     const ContactLaw& law,
+                                     const ContactLaw<2>& law,
                                      const ElasticSystem& system,
                                      const RigidTool& tool,
                                      const ContactSettings& settings = {});

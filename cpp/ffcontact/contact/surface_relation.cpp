@@ -18,7 +18,7 @@ bool takes_coarse_start(const ContactSettings& settings) {
   return settings.initial_state.empty() || settings.state_of_another_mesh;
 }
 
-class OfSchur : public SurfaceRelation {
+class OfSchur : public ContactRelation {
  public:
   OfSchur(const StatedSurface& stated,
           std::shared_ptr<const CondensedStiffness> stiffness)
@@ -27,31 +27,25 @@ class OfSchur : public SurfaceRelation {
         contact_(condensed_contact(stated.trace.trace, stated.trace.primary,
                                    stated.system.load, *stiffness_)) {}
 
-  FixedPointResult answer() override {
+  RelationAnswer answer() override {
     const auto& held = stated_.trace.held;
     if (stiffness_->is_exact())
-      return surface_answer(contact_, *stiffness_, stated_.cones, held,
-                            stated_.settings);
+      return whole(surface_answer(contact_, *stiffness_, stated_.cones, held,
+                                  stated_.settings));
     solver_ = StepSolver(contact_, held);
-    return {rough_answer(contact_, stated_.cones, held, start(),
-                         stated_.settings, solver_),
-            {}};
+    return whole({rough_answer(contact_, stated_.cones, held, start(),
+                               stated_.settings, solver_),
+                  {}});
   }
 
-  void put_loads(const VectorXd& load, const VectorXd& v_prescribed,
-                 const VectorXd& P) override {
-    put_carried(P, contact_);
-    contact_ = with_loads(std::move(contact_), *stiffness_, load, v_prescribed);
-  }
-
-  ActiveSetResult answer_near(const ContactRows& rows,
-                              const NewtonSettings& limits) override {
-    return surface_newton(contact_, stated_.cones, stated_.trace.held, rows,
-                          solver_, limits);
-  }
-
-  VectorXd displacement(const ContactRows& rows) const override {
-    return displacement_of(contact_, *stiffness_, rows.v, rows.P);
+  RelationAnswer corrected(const LastAnswer& last,
+                           const NewtonSettings& limits) override {
+    put_carried(last.law.P, contact_);
+    contact_ = with_loads(std::move(contact_), *stiffness_, last.load, last.v);
+    return whole(
+        {surface_newton(contact_, stated_.cones, stated_.trace.held,
+                        ContactRows{last.law.P, last.law.v}, solver_, limits),
+         {}});
   }
 
   LawScales scales(const VectorXd& v) const override {
@@ -59,9 +53,15 @@ class OfSchur : public SurfaceRelation {
   }
 
  private:
+  RelationAnswer whole(FixedPointResult law) const {
+    const VectorXd u =
+        displacement_of(contact_, *stiffness_, law.answer.v, law.answer.P);
+    return {std::move(law), u};
+  }
+
   std::optional<ContactRows> start() const {
     if (!takes_coarse_start(stated_.settings)) return std::nullopt;
-    return coarse_start(contact_, stated_.cones, stated_.surface);
+    return coarse_start(contact_, stated_.cones, stated_.contact);
   }
 
   const StatedSurface& stated_;
@@ -72,7 +72,7 @@ class OfSchur : public SurfaceRelation {
 
 }  // namespace
 
-std::unique_ptr<SurfaceRelation> surface_relation(
+std::unique_ptr<ContactRelation> surface_relation(
     const StatedSurface& stated,
     const std::shared_ptr<const CondensedStiffness>& stiffness) {
   return std::make_unique<OfSchur>(stated, stiffness);

@@ -24,7 +24,7 @@ template <>
 VectorXd displacement_of_pair(const SolvedProblem<2>& solved,
                               const MatchedBodies<2>& bodies) {
   const ContactLine& line = bodies.contact();
-  const ContactLaw& law = bodies.body().law;
+  const ContactLaw<2>& law = bodies.body().law;
   if (law.bonded) return bonded_displacement(bodies);
   const VectorXd clear = sticking_displacement(
       bodies, nodal_pressures(solved),
@@ -108,7 +108,7 @@ namespace {
 /// a curve, where no u_hat sticks that keeps clear?
 bool pays_for_rough_edges(const MatchedBodies<2>& bodies,
                           const PairError& error) {
-  const ContactLaw& law = bodies.body().law;
+  const ContactLaw<2>& law = bodies.body().law;
   return turns(bodies.contact()) && pays_for_contact_alone(error) &&
          (law.tresca() || law.friction.maxCoeff() > most_friction);
 }

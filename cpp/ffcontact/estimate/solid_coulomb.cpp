@@ -5,6 +5,7 @@
 
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
+#include "ffcontact/contact/law/cones_of_law.hpp"
 #include "ffcontact/contact/uniqueness/coulomb_constant.hpp"
 #include "ffcontact/contact/uniqueness/slip_pattern.hpp"
 #include "ffcontact/equilibrium/stress/facet_density.hpp"
@@ -54,7 +55,7 @@ struct NodalFriction {
 class PairOnSurface {
  public:
   PairOnSurface(const Topology<3>& topology, const ContactSurface& surface,
-                const SurfaceLaw& law, const Estimate<3>& estimate)
+                const ContactLaw<3>& law, const Estimate<3>& estimate)
       : surface_(surface),
         cones_(traction_cones(law, surface)),
         nodal_(estimate.tractions),

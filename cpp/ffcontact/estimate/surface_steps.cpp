@@ -26,7 +26,7 @@ double mean_slip(const ContactFacet<3>& face) {
 /// Does a face without tractions stay without, as outweighs_all_gains says?
 bool stays_unloaded(const ContactSurface& surface, const Compared<3>& compared,
                     const Matrix3Xd& nodal, const ContactFacet<3>& face) {
-  const SurfaceLaw& law = compared.law;
+  const ContactLaw<3>& law = compared.law;
   const Vector3i nodes = surface.face_node.col(face.index);
   return law.slip_bound.size() == 0 && nodal(Eigen::all, nodes).isZero(0) &&
          outweighs_all_gains(law.friction(nodes).minCoeff(), mean_slip(face),

@@ -179,7 +179,7 @@ TEST(LawViolation, sees_every_spoiled_condition) {
   EXPECT_NEAR(with(3, 1.04, 0), 0.01, 1e-12);   // |P_t| > b
   EXPECT_NEAR(with(3, 0, 0.01), 0.01, 1e-12);   // sticks but moves
   EXPECT_NEAR(with(5, 0.04, 0), 0.01, 1e-12);   // slips below the bound
-  EXPECT_NEAR(with(5, 2, 0), 0.25, 1e-12);      // pushed along: P_t v_t > 0
+  EXPECT_NEAR(with(5, 2, 0), 0.5, 1e-12);       // pushed along: P_t = +b
 }
 
 /// Neither is what must be 0 excused by the other one being small.

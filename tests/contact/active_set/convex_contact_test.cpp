@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/active_set/convex_contact.hpp"
 
+#include "ffcontact/contact/solve_contact.hpp"
 #include "ffcontact/elastic/stiffness.hpp"
 #include "support/bodies.hpp"
 #include "support/cases.hpp"
@@ -12,7 +13,7 @@ namespace {
 
 using namespace test;
 
-std::string in_figures(const ContactSolution& solution) {
+std::string in_figures(const ContactSolution<2>& solution) {
   std::ostringstream text;
   text << in_words(solution.status) << ", violation "
        << solution.complementarity << ", residual " << solution.residual;
@@ -55,7 +56,7 @@ TEST(ConvexContact, takes_over_where_newton_ends_without_an_answer) {
       continue;
     ++without_answer;
     const ActiveSetResult convex = solve_convex(c.contact, c.law, c.sticking);
-    const ContactSolution solution = solved(c.problem);
+    const ContactSolution<2> solution = solved(c.problem);
     EXPECT_TRUE(solution.accepted({})) << seed;
     // What nothing loads stays, without a system.
     const bool stays = solution.displacement.isZero(0);
@@ -67,14 +68,14 @@ TEST(ConvexContact, takes_over_where_newton_ends_without_an_answer) {
 RC_GTEST_PROP(OddProblems, have_a_solution_that_is_found, (Random random)) {
   const double friction = *rc::gen::element(0.0, 0.0, 0.1);
   const Problem problem = odd_problem(random, friction);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   RC_LOG() << in_figures(solution);
   RC_ASSERT(solution.accepted({}));
 }
 
 /// All lengths times one factor, the stiffness and all stresses times another.
-ContactSolution solved_scaled(Problem problem, double length,
-                              double stiffness) {
+ContactSolution<2> solved_scaled(Problem problem, double length,
+                                 double stiffness) {
   ElasticSystem system = problem.system();
   system.stiffness *= stiffness;
   system.load *= stiffness * length;
@@ -92,8 +93,8 @@ RC_GTEST_PROP(OddProblems, length_and_stiffness_leave_the_answer_as_it_is,
   const double length = *rc::gen::element(1e-9, 1e-3, 1e6),
                stiffness = *rc::gen::element(1e-9, 1e3, 1e6);
   const Problem problem = odd_problem(random, 0);
-  const ContactSolution plain = solved(problem),
-                        scaled = solved_scaled(problem, length, stiffness);
+  const ContactSolution<2> plain = solved(problem),
+                           scaled = solved_scaled(problem, length, stiffness);
   RC_LOG() << in_figures(scaled);
   RC_ASSERT(scaled.accepted({}));
   // where all nodes stick, loads move nothing
@@ -123,7 +124,7 @@ TEST(ConvexContact, where_multipliers_have_more_than_one_value_one_is_found) {
       EXPECT_EQ(convex_contact(c.contact, c.law).status,
                 ContactStatus::converged)
           << bound;
-      const ContactSolution solution = solved(problem);
+      const ContactSolution<2> solution = solved(problem);
       EXPECT_TRUE(solution.accepted({}))
           << bound << ", " << in_figures(solution);
     }
@@ -164,7 +165,7 @@ TEST(Refinement, a_stiff_body_on_a_soft_one_is_solved_to_rounding) {
       clamp(two.problem, two.label(1, bottom));
       set_friction(two.problem, 0.4);
       two.problem.law.multiplier = multiplier;
-      const ContactSolution solution = solved(two.problem);
+      const ContactSolution<2> solution = solved(two.problem);
       EXPECT_TRUE(solution.accepted({})) << E << ", " << in_figures(solution);
       EXPECT_LT(solution.residual, 1e-11) << E;
       const Matrix2Xd& P =
@@ -188,7 +189,7 @@ TEST(Refinement, contrasts_of_1e14_are_a_matter_of_scaling) {
   clamp(problem, 10 + top);
   add_traction(problem, left, {0.1, -0.1});
   add_traction(problem, 10 + left, {1e13, -1e13});
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   EXPECT_TRUE(solution.accepted({})) << in_figures(solution);
 }
 
@@ -203,7 +204,7 @@ TEST(MaxIterations, bound_all_systems_of_a_call) {
       ContactSettings settings;
       settings.solver = solver;
       settings.max_iterations = most;
-      const ContactSolution solution = solved(problem, settings);
+      const ContactSolution<2> solution = solved(problem, settings);
       EXPECT_LE(solution.iterations, most);
       EXPECT_FALSE(solution.accepted(settings));
     }

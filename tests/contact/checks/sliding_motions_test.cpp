@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ffcontact/contact/solve_contact.hpp"
 #include "support/pins.hpp"
 
 namespace ffcontact {
@@ -11,7 +12,7 @@ namespace {
 using namespace test;
 
 /// Solved as it is held.
-ContactSolution held_solution(Problem problem) {
+ContactSolution<2> held_solution(Problem problem) {
   add_body_loads(problem.mesh, held(problem), problem.b);
   return solve_contact(problem.mesh, problem.line, problem.law,
                        problem.system());
@@ -94,11 +95,11 @@ TEST(SlidingMotions, noise_of_loads_is_balanced_and_no_more) {
 }
 
 TEST(SlidingMotions, the_noise_of_coordinates_does_not_turn_a_pin) {
-  const ContactSolution exact = held_solution(pin(0));
+  const ContactSolution<2> exact = held_solution(pin(0));
   ASSERT_EQ(exact.status, ContactStatus::converged);
   for (const double noise : {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4})
     for (const unsigned seed : {1U, 2U, 3U}) {
-      const ContactSolution found = held_solution(pin(noise, seed));
+      const ContactSolution<2> found = held_solution(pin(noise, seed));
       EXPECT_EQ(found.status, ContactStatus::converged) << noise;
       EXPECT_LT((found.force - exact.force).norm(),
                 1e-6 * exact.force.norm() + 100 * noise * exact.force.norm())

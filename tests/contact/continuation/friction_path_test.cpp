@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "ffcontact/contact/continuation/friction_curve.hpp"
+#include "ffcontact/contact/law/cones_of_law.hpp"
 #include "ffcontact/contact/newton/surface_newton.hpp"
 #include "ffcontact/contact/surface_answer.hpp"
 #include "support/condensed_blocks.hpp"
@@ -45,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_P(HardProblems, end_on_the_path) {
   const SolidProblem problem = hard_problem(GetParam());
-  const SurfaceSolution solution = problem.solve();
+  const ContactSolution<3> solution = problem.solve();
   EXPECT_TRUE(solution.accepted({}));
   EXPECT_TRUE(solution.history.empty());
   EXPECT_LT(defects(problem, solution).largest(), 1e-8);

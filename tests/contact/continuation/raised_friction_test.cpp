@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ffcontact/contact/law/cones_of_law.hpp"
 #include "ffcontact/contact/newton/surface_newton.hpp"
 #include "support/condensed_blocks.hpp"
 #include "support/pressed_bricks.hpp"

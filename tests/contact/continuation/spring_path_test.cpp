@@ -15,9 +15,9 @@ namespace {
 using namespace test;
 
 /// Nothing where the loads exceed all friction at once, which is refused.
-std::optional<SurfaceSolution> resting(const SolidProblem& problem,
-                                       const ContactSettings& settings = {}) {
-  std::optional<SurfaceSolution> solution;
+std::optional<ContactSolution<3>> resting(
+    const SolidProblem& problem, const ContactSettings& settings = {}) {
+  std::optional<ContactSolution<3>> solution;
   const std::string said = refusal([&] { solution = problem.solve(settings); });
   EXPECT_TRUE(solution || says(said, "no equilibrium"));
   return solution;
@@ -26,7 +26,7 @@ std::optional<SurfaceSolution> resting(const SolidProblem& problem,
 /// A body that friction alone holds finds its place, or slides.
 RC_GTEST_PROP(SpringPath, bodies_at_rest_are_found, (Random random)) {
   const SolidProblem problem = resting_problem(random);
-  const std::optional<SurfaceSolution> solution = resting(problem);
+  const std::optional<ContactSolution<3>> solution = resting(problem);
   RC_PRE(solution.has_value());
   const bool rests = solution->accepted({});
   RC_CLASSIFY(rests);

@@ -11,7 +11,7 @@ namespace {
 
 using namespace test;
 
-ContactSolution by_fixed_point(const Problem& problem) {
+ContactSolution<2> by_fixed_point(const Problem& problem) {
   ContactSettings settings;
   settings.solver = ContactSolver::fixed_point;
   return solved(problem, settings);
@@ -19,8 +19,8 @@ ContactSolution by_fixed_point(const Problem& problem) {
 
 RC_GTEST_PROP(FixedPoint, reaches_the_solution_of_newtons_method, ()) {
   const Problem problem = problem_of(*random_case(0.3));
-  const ContactSolution newton = solved(problem),
-                        fixed = by_fixed_point(problem);
+  const ContactSolution<2> newton = solved(problem),
+                           fixed = by_fixed_point(problem);
   RC_ASSERT(fixed.status == ContactStatus::converged);
   RC_ASSERT(fixed.complementarity <= 1e-10);
   RC_ASSERT(relative_difference(fixed.displacement, newton.displacement) <
@@ -28,7 +28,8 @@ RC_GTEST_PROP(FixedPoint, reaches_the_solution_of_newtons_method, ()) {
 }
 
 TEST(FixedPoint, contracts_on_example_1) {
-  const ContactSolution solution = by_fixed_point(example_1(Multiplier::force));
+  const ContactSolution<2> solution =
+      by_fixed_point(example_1(Multiplier::force));
   EXPECT_EQ(solution.status, ContactStatus::converged);
   ASSERT_GT(solution.history.size(), 3u);
   EXPECT_LT(solution.history.back(), 1e-8);
@@ -52,7 +53,7 @@ TEST(FixedPoint, sticks_where_only_the_given_bound_is_reached) {
     c.on_left = {-1, -0.868};
     c.on_top = {0.228, -3.098};
     c.in_body = {-0.0344, -0.05};
-    const ContactSolution fixed = by_fixed_point(problem_of(c));
+    const ContactSolution<2> fixed = by_fixed_point(problem_of(c));
     EXPECT_EQ(fixed.status, ContactStatus::converged) << seed;
     for (const ContactState state : fixed.state)
       EXPECT_EQ(state, ContactState::stick) << seed;
@@ -65,7 +66,7 @@ TEST(FixedPoint, slides_where_it_touches_without_pressure) {
     Problem problem = body(rectangle(4, 2, 4, 2), material(1, 0));
     clamp(problem, top, [&](const Vector2d&) { return Vector2d(shift, 0); });
     set_friction(problem, 0.5);
-    const ContactSolution fixed = by_fixed_point(problem);
+    const ContactSolution<2> fixed = by_fixed_point(problem);
     EXPECT_EQ(fixed.status, ContactStatus::converged);
     for (const ContactState state : fixed.state)
       EXPECT_EQ(state, shift > 0 ? ContactState::slip_forward
@@ -77,8 +78,8 @@ TEST(FixedPoint, slides_where_it_touches_without_pressure) {
 TEST(FixedPoint, of_trescas_law_is_one_step) {
   Problem problem = example_2(Multiplier::force, 0, 8);
   problem.law.slip_bound = everywhere(problem.line, 0.2);
-  const ContactSolution fixed = by_fixed_point(problem),
-                        newton = solved(problem);
+  const ContactSolution<2> fixed = by_fixed_point(problem),
+                           newton = solved(problem);
   EXPECT_EQ(fixed.status, ContactStatus::converged);
   EXPECT_LE(fixed.history.size(), 1u);
   EXPECT_LT(relative_difference(fixed.displacement, newton.displacement),

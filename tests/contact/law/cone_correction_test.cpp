@@ -17,7 +17,7 @@ using namespace test;
 /// One contact edge of length 1 with its law.
 struct EdgeProblem {
   ContactLine line;
-  ContactLaw law;
+  ContactLaw<2> law;
 };
 EdgeProblem one_edge(double mu) {
   const Problem problem = body(rectangle(1, 1, 1, 1), material(1, 0));
@@ -91,7 +91,7 @@ RC_GTEST_PROP(ConeCorrection,
               (Random random)) {
   const Problem problem =
       body(irregular(6, 2, 6, 2, random), material(1, 0), {bottom, left});
-  ContactLaw law = problem.law;
+  ContactLaw<2> law = problem.law;
   law.friction = random_vector(problem.line.node_count(), random).cwiseAbs();
   const ContactDensities densities =
       random_densities(problem.line.edge_count(), random);
@@ -110,7 +110,7 @@ RC_GTEST_PROP(ConeCorrection,
 RC_GTEST_PROP(ConeCorrection, resultant_of_every_edge_is_unchanged,
               (Random random)) {
   const Problem problem = body(irregular(6, 2, 6, 2, random), material(1, 0));
-  ContactLaw law = problem.law;
+  ContactLaw<2> law = problem.law;
   law.friction = everywhere(problem.line, *real(0, 2));
   const ContactDensities densities =
       random_densities(problem.line.edge_count(), random);
@@ -285,24 +285,6 @@ TEST(ClampedToCone,
                  clamped_to_cone(edge.line, edge.law, 0, end_values(r, 0)));
   EXPECT_LE(cone_defect(edge.line, edge.law, r), 1e-15);
   EXPECT_GT(r.tangential.sum(), 1.9);  // of 0.2 * 5 + 1 * 1
-}
-
-TEST(EnclosingRange, is_the_chord_where_the_samples_are_on_it) {
-  const EdgeRange range = enclosing_range(VectorXd::LinSpaced(9, 0.3, 0.7));
-  EXPECT_EQ(range.least, Vector2d(0.3, 0.7));
-  EXPECT_EQ(range.most, Vector2d(0.3, 0.7));
-}
-
-RC_GTEST_PROP(EnclosingRange, encloses_the_samples, (Random random)) {
-  const MatrixXd samples = random_matrix(9, 3, random).cwiseAbs();
-  const EdgeRange range = enclosing_range(samples);
-  RC_ASSERT(range.least.minCoeff() >= 0);
-  for (int e = 0; e < 3; ++e)
-    for (int k = 0; k < 9; ++k) {
-      const Vector2d at(1 - k / 8., k / 8.);
-      RC_ASSERT(at.dot(range.least.col(e)) <= samples(k, e) + 1e-15);
-      RC_ASSERT(at.dot(range.most.col(e)) >= samples(k, e) - 1e-15);
-    }
 }
 
 TEST(EdgeDensities, are_the_nodal_values_at_both_ends) {

@@ -31,7 +31,7 @@ Problem one_edge(Random& random) {
 /// Largest excess over the law on the edge, relative to the largest traction, by many
 /// points on it.
 double sampled_defect(const Problem& problem, const Vector4d& r) {
-  const ContactLaw& law = problem.law;
+  const ContactLaw<2>& law = problem.law;
   const auto at = [&](const VectorXd& nodal, double s) {
     return (1 - s) * nodal[problem.line.edge_node(0, 0)] +
            s * nodal[problem.line.edge_node(1, 0)];

@@ -51,9 +51,10 @@ TEST(HeldRows, are_those_that_no_free_dof_moves) {
 
 TEST(HeldRows, vertices_that_all_but_meet_change_answers_as_little) {
   for (Multiplier multiplier : both_multipliers) {
-    const ContactSolution met = solved(block_on_block(multiplier, 0).problem);
+    const ContactSolution<2> met =
+        solved(block_on_block(multiplier, 0).problem);
     for (double apart : {1e-7, 1e-6, 1e-5, 1e-4}) {
-      const ContactSolution near =
+      const ContactSolution<2> near =
           solved(block_on_block(multiplier, apart).problem);
       ASSERT_EQ(near.status, ContactStatus::converged);
       EXPECT_LT((near.displacement - met.displacement).cwiseAbs().maxCoeff(),
@@ -70,7 +71,7 @@ TEST(HeldRows, carry_no_force_and_move_as_prescribed) {
   const Bodies two = block_on_block(Multiplier::force, 1e-5);
   const auto& [line, law] = std::tie(two.problem.line, two.problem.law);
   const ElasticSystem system = two.problem.system();
-  const HeldRows held = held_rows(line, law, system);
+  const HeldRows<2> held = held_rows(line, law, system);
   const VectorXd u = VectorXd::LinSpaced(system.dof_count(), -1, 2);
   const Matrix2Xd v = steered_displacement(line, law, held, u),
                   free = displacement_against_foundation(line, law, u),

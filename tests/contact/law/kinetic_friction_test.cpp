@@ -19,7 +19,7 @@ struct KineticLine {
   ContactLine line = block_with_three_zones(4).line;
   ContactStates last =
       ContactStates{slips, slips, sticks, ContactState::open, sticks};
-  ContactLaw law;
+  ContactLaw<2> law;
   KineticFriction kinetic;
 
   KineticLine() {
@@ -43,7 +43,7 @@ TEST(KineticFriction, counts_where_nodes_slipped) {
 TEST(KineticFriction,
      is_linear_between_a_node_that_slipped_and_one_that_did_not) {
   const KineticLine s;
-  const ContactLaw law = law_after(s.last, s.law, s.line, s.kinetic);
+  const ContactLaw<2> law = law_after(s.last, s.law, s.line, s.kinetic);
   for (int e = 0; e < s.line.edge_count(); ++e) {
     const Vector2i nodes = s.line.edge_node.col(e);
     const int slipped = (nodes[0] < 2) + (nodes[1] < 2);

@@ -73,7 +73,7 @@ RC_GTEST_PROP(MultiplierProjection, of_a_solution_changes_nothing, ()) {
   Case c = *random_case(0.5);
   c.support = Support::clamped_top;
   const Problem problem = problem_of(c);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   const Matrix2Xd pressure =
       problem.law.multiplier == Multiplier::pressure
           ? solution.pressure

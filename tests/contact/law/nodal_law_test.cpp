@@ -6,29 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "ffcontact/contact/law/cones_of_law.hpp"
 #include "support/problems.hpp"
 
 namespace ffcontact {
 namespace {
 
 using namespace test;
-
-TEST(NodalLaw, coulombs_bound_is_friction_times_compression) {
-  const Problem problem = example_1(Multiplier::force, 2);
-  const NodalLaw law = nodal_law(problem.law, problem.line);
-  EXPECT_EQ(law.cone[0].bound(-4), 2);
-  EXPECT_EQ(law.cone[0].bound(4), 0);
-  EXPECT_FALSE(law.cone[0].frictionless());
-}
-
-TEST(NodalLaw, trescas_bound_is_in_the_units_of_the_multiplier) {
-  Problem problem = example_1(Multiplier::pressure, 2);  // four edges of 20 mm
-  problem.law.slip_bound = everywhere(problem.line, 3);
-  EXPECT_EQ(nodal_law(problem.law, problem.line).cone[1].bound(-7), 3);
-  problem.law.multiplier = Multiplier::force;
-  EXPECT_DOUBLE_EQ(nodal_law(problem.law, problem.line).cone[0].bound(-7), 30);
-  EXPECT_DOUBLE_EQ(nodal_law(problem.law, problem.line).cone[1].bound(-7), 60);
-}
 
 TEST(NodalLaw, a_given_slip_limit_freezes_coulombs_bound) {
   const Problem problem = example_1(Multiplier::force, 2);
@@ -52,6 +36,30 @@ TEST(NodalLaw, is_violated_by_what_is_not_finite) {
     std::swap(P, v);
     EXPECT_EQ(law_violation(law, P, v, {1, 0}), infinity);
   }
+}
+
+NodalLaw one_node(double friction) {
+  NodalLaw law;
+  law.cone.resize(1);
+  law.cone[0].friction = friction;
+  return law;
+}
+
+/// Of P = (-2, 0.6, 0.8) at the bound of mu = 1/2.
+TEST(NodalLaw, violation_is_the_smaller_of_two_that_must_vanish) {
+  const Vector3d P(-2, 0.6, 0.8), along = -Vector3d(0, 0.6, 0.8);
+  const auto violation = [&](const Vector3d& force, const Vector3d& v) {
+    return law_violation(one_node(0.5), force, v, {10, 2});
+  };
+  EXPECT_LT(violation(P, 5 * along), 1e-15);
+  EXPECT_NEAR(violation(P, -5 * along), 0.5, 1e-15);  // |v_t| < 2 |P_t|
+  EXPECT_NEAR(violation(P, -50 * along), 1, 1e-15);   // 2 |P_t| < |v_t|
+  EXPECT_NEAR(violation(P, {-3, 0, 0}), 0.3, 1e-15);  // |v_n| < |P_n|
+  EXPECT_NEAR(violation(P, {-30, 0, 0}), 1, 1e-15);   // |P_n| < |v_n|
+  EXPECT_NEAR(violation(P, {1, 0, 0}), 0.1, 1e-15);   // penetrates
+  EXPECT_NEAR(violation({-2, 1.5, 0}, {0, 0, 0}), 0.25, 1e-15);
+  EXPECT_NEAR(violation({1, 0, 0}, {0, 0, 0}), 0.5, 1e-15);
+  EXPECT_EQ(violation({-2, std::nan(""), 0}, {0, 0, 0}), INFINITY);
 }
 
 }  // namespace

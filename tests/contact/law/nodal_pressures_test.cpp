@@ -58,7 +58,7 @@ TEST(NodalPressures,
 RC_GTEST_PROP(NodalPressures,
               lumped_are_in_the_cone_with_the_resultant_of_the_forces, ()) {
   const Problem problem = problem_of(*random_case(0.5));
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   const Matrix2Xd p = lumped_pressures(problem.line, solution.force);
   const double largest = p.cwiseAbs().maxCoeff();
   const VectorXd lengths = nodal_lengths(problem.line);
@@ -76,7 +76,7 @@ RC_GTEST_PROP(NodalPressures,
 RC_GTEST_PROP(NodalPressures,
               of_a_script_stand_for_the_multipliers_of_the_solver, ()) {
   const Problem problem = problem_of(*random_case(0.5));
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   const std::vector<char> prescribed = prescribed_dofs(problem.A);
   const Multiplier multiplier = problem.law.multiplier;
   const Matrix2Xd p = multiplier == Multiplier::force

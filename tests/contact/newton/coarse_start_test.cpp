@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ffcontact/contact/law/cones_of_law.hpp"
 #include "ffcontact/contact/newton/surface_newton.hpp"
 #include "support/condensed_blocks.hpp"
 

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "ffcontact/contact/law/cones_of_law.hpp"
 #include "ffcontact/contact/newton/surface_newton.hpp"
 #include "support/condensed_blocks.hpp"
 #include "support/pressed_bricks.hpp"

@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 
+#include "ffcontact/contact/law/cones_of_law.hpp"
 #include "support/any_step.hpp"
 
 namespace ffcontact {

@@ -170,7 +170,7 @@ TEST(coulomb_constant, is_none_without_friction_that_depends_on_pressure) {
 
 TEST(coulomb_constant, is_lower_where_sticking_nodes_are_held) {
   const Problem problem = example_2(Multiplier::force, 0.1, 16);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   EXPECT_LT(kappa_of(problem, solution, StuckNodes::stick),
             kappa_of(problem, solution) - 1e-3);
 }

@@ -100,9 +100,8 @@ double solution_defect(const Problem& problem, const VectorXd& u) {
     free_forces.segment<2>(2 * v).setZero();
   }
   return std::max(free_forces.cwiseAbs().maxCoeff() / P.cwiseAbs().maxCoeff(),
-                  complementarity_defect(
-                      problem.line, problem.law,
-                      held_rows(problem.line, problem.law, system), u, P));
+                  stated_on_line(problem.line, problem.law, system, {})
+                      .law_defect(u, P.reshaped()));
 }
 
 constexpr double tolerance = 1e-10;
@@ -142,7 +141,7 @@ TEST_P(Triangle, has_one_solution_below_it_and_a_family_at_it) {
                                ContactState::slip_forward}) {
       ContactSettings settings;
       settings.initial_state.assign(problem.line.node_count(), start);
-      const ContactSolution solution = solved(problem, settings);
+      const ContactSolution<2> solution = solved(problem, settings);
       ASSERT_TRUE(solution.accepted(settings));
       EXPECT_LT(relative_difference(solution.displacement, u), 1e-9);
     }
@@ -163,7 +162,7 @@ RC_GTEST_PROP(critical_friction, is_not_below_that_of_uniqueness,
                                 });
   add_traction(problem, right, random_vector(2, random) * 5);
   set_friction(problem, *real(0.05, 1));
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   RC_PRE(solution.accepted({}));
   const double critical = critical_friction_of(problem, solution),
                kappa = kappa_of(problem, solution, StuckNodes::stick);
@@ -176,7 +175,7 @@ TEST(critical_friction, is_where_the_determinant_vanishes_first) {
   for (int cells : {4, 8}) {
     const Bodies two = example_3(Multiplier::force, cells, 2 * cells);
     const Problem& problem = two.problem;
-    const ContactSolution solution = solved(problem);
+    const ContactSolution<2> solution = solved(problem);
     const Condensed condensed(problem);
     const double critical = critical_friction_of(problem, solution);
     const auto determinant = [&](double mu) {
@@ -207,7 +206,7 @@ TEST(critical_friction, is_infinite_without_slip_that_depends_on_pressure) {
 TEST(critical_friction, is_the_largest_of_coefficients_that_vary) {
   const SlippingTriangle triangle(0.3);
   Problem problem = triangle.problem(0.5, 2);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   const double critical = critical_friction_of(problem, solution);
   problem.law.friction *= 0.25;
   EXPECT_NEAR(critical_friction_of(problem, solution) / critical, 1, 1e-10);

@@ -29,7 +29,7 @@ std::vector<double> relax(Equilibrated& fields, std::optional<int> steps,
 /// correction (4.1)), which are free.
 struct InCone {
   Problem problem = example_2(Multiplier::force, 0.6, 8);
-  ContactSolution solution = solved(problem);
+  ContactSolution<2> solution = solved(problem);
   ConeCorrection correction =
       correct_to_cone(problem.line, problem.law,
                       edge_densities(problem.line, solution.pressure));

@@ -65,7 +65,7 @@ TEST(NodalResidual, takes_forces_where_no_support_answers) {
 TEST(NodalResidual,
      refuses_loads_that_u_was_not_computed_with_naming_the_vertex) {
   Problem problem = example_1(Multiplier::force, 2);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   problem.neumann *= 1.01;
   const std::string sentence =
       refusal([&] { equilibrated(problem, solution); });
@@ -77,7 +77,7 @@ TEST(NodalResidual,
 
 TEST(NodalResidual, refuses_a_body_force_that_u_was_not_computed_with) {
   Problem problem = example_1(Multiplier::force, 2);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   problem.body_force.array() += 0.01;
   EXPECT_TRUE(says(refusal([&] { equilibrated(problem, solution); }),
                    "the loads do not balance the stresses at vertex "));
@@ -85,7 +85,7 @@ TEST(NodalResidual, refuses_a_body_force_that_u_was_not_computed_with) {
 
 TEST(NodalResidual, refuses_contact_tractions_of_another_solution) {
   const Problem problem = example_1(Multiplier::force, 2);
-  ContactSolution solution = solved(problem);
+  ContactSolution<2> solution = solved(problem);
   solution.pressure *= 1.1;
   EXPECT_TRUE(says(refusal([&] { equilibrated(problem, solution); }),
                    "the loads do not balance the stresses at vertex "));
@@ -94,7 +94,7 @@ TEST(NodalResidual, refuses_contact_tractions_of_another_solution) {
 TEST(NodalResidual, refuses_a_point_support_with_a_reaction) {
   Problem problem = example_1(Multiplier::force, 2);
   prescribe_dof(problem, 2 * 5 + 1, 0.01);  // the middle of the loaded side
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   EXPECT_TRUE(says(refusal([&] { equilibrated(problem, solution); }),
                    "at vertex 5 (0, 20)"));
 }

@@ -55,7 +55,7 @@ RC_GTEST_PROP(RefinedBody, has_the_bounds_of_the_law_on_the_parts_of_edges,
   }
   old.law.shear_limit = old.law.friction;
   old.law.limit_between_nodes = old.law.between_nodes;
-  const ContactLaw law = refined(cut, old).law;
+  const ContactLaw<2> law = refined(cut, old).law;
   for (int e = 0; e < parts.edge_count(); ++e)
     for (int end = 0; end < 2; ++end) {
       const double expected = law.friction[parts.edge_node(end, e)];

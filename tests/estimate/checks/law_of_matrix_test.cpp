@@ -17,7 +17,7 @@ using namespace test;
 template <class Spoil>
 std::string sentence_about(Multiplier multiplier, Spoil spoil) {
   Problem problem = example_1(multiplier, 4);
-  const ContactSolution solution = solved(problem);
+  const ContactSolution<2> solution = solved(problem);
   SolvedBody<2> body = solved_body(problem, solution);
   spoil(problem, body, solution);
   return refusal([&] {
@@ -27,11 +27,11 @@ std::string sentence_about(Multiplier multiplier, Spoil spoil) {
 }
 
 TEST(DataDefect, names_the_law_and_its_factor) {
-  const std::string sentence =
-      sentence_about(Multiplier::force,
-                     [](Problem&, SolvedBody<2>& body, const ContactSolution&) {
-                       for (Matrix3d& C : body.hooke) C *= 2;
-                     });
+  const std::string sentence = sentence_about(
+      Multiplier::force,
+      [](Problem&, SolvedBody<2>& body, const ContactSolution<2>&) {
+        for (Matrix3d& C : body.hooke) C *= 2;
+      });
   EXPECT_TRUE(says(
       sentence, "lambda and G (or hooke) are not those of A: A is 0.5 times"))
       << sentence;
@@ -58,7 +58,7 @@ TEST(DataDefect, names_the_law_where_equilibrium_cannot) {
 TEST(DataDefect, names_the_vertex_where_the_law_of_one_region_is_off) {
   const std::string sentence = sentence_about(
       Multiplier::force, [](Problem&, SolvedBody<2>& body,
-                            const ContactSolution&) { body.hooke[9] *= 3; });
+                            const ContactSolution<2>&) { body.hooke[9] *= 3; });
   EXPECT_TRUE(says(
       sentence,
       "A is not the stiffness of lambda and G (or hooke): its row of vertex "))
@@ -68,7 +68,7 @@ TEST(DataDefect, names_the_vertex_where_the_law_of_one_region_is_off) {
 TEST(DataDefect, names_a_penalty_that_does_not_prescribe) {
   const std::string sentence = sentence_about(
       Multiplier::force,
-      [](Problem& problem, SolvedBody<2>&, const ContactSolution&) {
+      [](Problem& problem, SolvedBody<2>&, const ContactSolution<2>&) {
         problem.A.coeffRef(20, 20) += 1e10;
       });
   EXPECT_TRUE(says(sentence, "A has 1e+10 more on its diagonal at vertex 10 "))
@@ -143,7 +143,7 @@ TEST(DataDefect, names_a_point_support) {
 TEST(DataDefect, names_the_multiplier_that_the_pressures_belong_to) {
   const std::string of_forces = sentence_about(
       Multiplier::force, [](Problem& problem, SolvedBody<2>& body,
-                            const ContactSolution& solution) {
+                            const ContactSolution<2>& solution) {
         body.multipliers = lumped_pressures(problem.line, solution.force);
         body.law.multiplier = Multiplier::pressure;
       });
@@ -153,7 +153,7 @@ TEST(DataDefect, names_the_multiplier_that_the_pressures_belong_to) {
       << of_forces;
   const std::string of_pressures = sentence_about(
       Multiplier::pressure, [](Problem& problem, SolvedBody<2>& body,
-                               const ContactSolution& solution) {
+                               const ContactSolution<2>& solution) {
         body.law.multiplier = Multiplier::force;
         body.multipliers =
             multiplier_density(problem.line, Multiplier::force,
@@ -168,26 +168,26 @@ TEST(DataDefect, names_the_multiplier_that_the_pressures_belong_to) {
 TEST(DataDefect, names_the_loads_that_are_not_those_of_u) {
   const std::string traction = sentence_about(
       Multiplier::force, [](Problem&, SolvedBody<2>& body,
-                            const ContactSolution&) { body.neumann *= 2; });
+                            const ContactSolution<2>&) { body.neumann *= 2; });
   EXPECT_TRUE(
       says(traction,
            "on the boundary: give the traction=, rest=, initialstrain= and "
            "initialstress= u was computed with"))
       << traction;
-  const std::string inside =
-      sentence_about(Multiplier::force,
-                     [](Problem&, SolvedBody<2>& body, const ContactSolution&) {
-                       body.body_loads.array() += 1;
-                     });
+  const std::string inside = sentence_about(
+      Multiplier::force,
+      [](Problem&, SolvedBody<2>& body, const ContactSolution<2>&) {
+        body.body_loads.array() += 1;
+      });
   EXPECT_TRUE(says(inside,
                    "inside the body: give the bodyforce=, initialstrain= and "
                    "initialstress= u was computed with"))
       << inside;
-  const std::string contact =
-      sentence_about(Multiplier::force,
-                     [](Problem&, SolvedBody<2>& body, const ContactSolution&) {
-                       body.multipliers *= 1.1;
-                     });
+  const std::string contact = sentence_about(
+      Multiplier::force,
+      [](Problem&, SolvedBody<2>& body, const ContactSolution<2>&) {
+        body.multipliers *= 1.1;
+      });
   EXPECT_TRUE(
       says(contact, "on the contact line: give pn and pt of the solution u"))
       << contact;

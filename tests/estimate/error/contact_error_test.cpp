@@ -24,7 +24,7 @@ struct Fields {
 };
 
 /// Of the largest displacement or gap.
-double penetration(const ContactLine& line, const ContactLaw& law,
+double penetration(const ContactLine& line, const ContactLaw<2>& law,
                    const VectorXd& u) {
   return deepest_node(line, law, u).depth / largest_displacement(law, u);
 }
@@ -56,7 +56,7 @@ Fields random_fields(Random& random, Law kind) {
 /// midpoint rule; bounds that are given over the least |n|.
 double by_midpoints(const Fields& f, int e) {
   const ContactLine& line = f.problem.line;
-  const ContactLaw& law = f.problem.law;
+  const ContactLaw<2>& law = f.problem.law;
   const int i = line.edge_node(0, e), j = line.edge_node(1, e), steps = 20000;
   const double shortest = frame_at(line, e, 0.5).col(0).norm();
   double sum = 0;
@@ -108,7 +108,7 @@ RC_GTEST_PROP(ContactError, between_nodes_no_integrand_is_negative_in_the_cone,
               (Random random)) {
   Fields f = random_fields(random, Law::coulomb);
   const ContactLine& line = f.problem.line;
-  ContactLaw& law = f.problem.law;
+  ContactLaw<2>& law = f.problem.law;
   law.friction.setConstant(0.5);
   f.densities.normal = -f.densities.normal.cwiseAbs();
   f.densities.tangential =
@@ -202,7 +202,7 @@ RC_GTEST_PROP(ContactError,
 
 TEST(ContactError, of_slip_at_the_bound_against_the_motion_is_zero) {
   const Problem problem = body(rectangle(4, 1, 4, 1), material(1, 0));
-  ContactLaw law = problem.law;
+  ContactLaw<2> law = problem.law;
   law.friction = everywhere(problem.line, 0.5);
   const VectorXd u = nodal_values(
       problem.mesh, [](const Vector2d&) { return Vector2d(2, 0); });
@@ -269,7 +269,7 @@ TEST(AdmissibleDisplacement, is_left_where_prescribed_components_penetrate) {
 TEST(AdmissibleDisplacement, moves_what_prescribed_vertices_face) {
   const Mesh upper = shifted(rectangle(3, 1, 3, 1), {0, 1});
   const Facing bodies(upper, rectangle(4, 1, 3, 1));
-  ContactLaw law;
+  ContactLaw<2> law;
   law.friction = everywhere(bodies.line, 0.3);
   law.gap = everywhere(bodies.line, 0);
   const int pressed = 2 * upper.vertex_count();
@@ -288,7 +288,7 @@ TEST(AdmissibleDisplacement, moves_what_prescribed_vertices_face) {
 
 TEST(DeepestNode, is_at_depth_zero_clear_of_the_foundation_and_counts_the_gap) {
   const Problem problem = body(rectangle(2, 1, 2, 1), material(1, 0));
-  ContactLaw law = problem.law;
+  ContactLaw<2> law = problem.law;
   const VectorXd u = nodal_values(
       problem.mesh, [](const Vector2d&) { return Vector2d(0, -1); });
   EXPECT_NEAR(penetration(problem.line, law, u), 1, 1e-15);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Matrices, loads, laws and fields of any kind on meshes that are fine: what takes them says what is wrong, or goes on.
 #include "bytes/data.hpp"
-#include "ffcontact/contact/contact_solution.hpp"
 #include "ffcontact/contact/rigid_tool.hpp"
+#include "ffcontact/contact/solve_contact.hpp"
 #include "ffcontact/elastic/stiffness.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "ffcontact/interface/contact_line.hpp"
@@ -37,8 +37,8 @@ VectorXd any_values(fuzz::Bytes& bytes, Index wanted) {
   return bytes.numbers(odd < 232 ? wanted : odd % (wanted + 3));
 }
 
-ContactLaw any_law(fuzz::Bytes& bytes, int nodes) {
-  ContactLaw law;
+ContactLaw<2> any_law(fuzz::Bytes& bytes, int nodes) {
+  ContactLaw<2> law;
   const int kind = bytes.next();
   law.multiplier = kind % 2 == 0 ? Multiplier::force : Multiplier::pressure;
   law.friction = any_values(bytes, nodes).cwiseAbs();
@@ -51,7 +51,8 @@ ContactLaw any_law(fuzz::Bytes& bytes, int nodes) {
 }
 
 SolvedBody<2> any_body(fuzz::Bytes& bytes, const Mesh& mesh,
-                       const ContactLaw& law, const ContactSolution& solution) {
+                       const ContactLaw<2>& law,
+                       const ContactSolution<2>& solution) {
   SolvedBody<2> body{Hooke(mesh.cell_count(), isotropic(400, 300)),
                      solution.displacement,
                      solution.pressure,
@@ -80,7 +81,7 @@ void solve_and_judge(fuzz::Bytes& bytes, const Mesh& mesh) {
   const RowMatrix A = any_matrix(bytes, mesh);
   const VectorXd b = any_values(bytes, 2 * mesh.vertex_count());
   const ElasticSystem system = elastic_system(A, b);
-  const ContactLaw law = any_law(bytes, line.node_count());
+  const ContactLaw<2> law = any_law(bytes, line.node_count());
   ContactSettings settings;
   settings.max_iterations = 1 + bytes.up_to(40);
   if (bytes.next() < 64)
@@ -91,7 +92,7 @@ void solve_and_judge(fuzz::Bytes& bytes, const Mesh& mesh) {
     tool.push = bytes.numbers(3);
     solve_contact_with_tool(mesh, line, law, system, tool, settings);
   }
-  const ContactSolution solution =
+  const ContactSolution<2> solution =
       solve_contact(mesh, line, law, system, settings);
   EstimateSettings<2> sweeps;
   sweeps.relaxation.steps = bytes.up_to(2) - (bytes.next() >= 248 ? 1 : 0);

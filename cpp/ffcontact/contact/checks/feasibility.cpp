@@ -36,7 +36,7 @@ struct Station {
 };
 
 Station station_at_node(const Mesh& mesh, const ContactLine& line,
-                        const ContactLaw& law, int node) {
+                        const ContactLaw<2>& law, int node) {
   const int vertex = line.vertex[node];
   Station station{mesh.vertices.col(vertex),
                   line.normal.col(node),
@@ -51,7 +51,7 @@ Station station_at_node(const Mesh& mesh, const ContactLine& line,
 
 /// @param x, y  places on the mesh edge of the contact edge and on the opposite one
 Station station_on_piece(const Mesh& mesh, const Edges& edges,
-                         const ContactLine& line, const ContactLaw& law,
+                         const ContactLine& line, const ContactLaw<2>& law,
                          const FacingPiece& piece, double x, double y) {
   const int e = piece.contact_edge, a = line.edge_node(0, e),
             b = line.edge_node(1, e);
@@ -72,7 +72,7 @@ Station station_on_piece(const Mesh& mesh, const Edges& edges,
 /// Where an admissible displacement is asked to be clear: the nodes, or those of the
 /// common refinement.
 std::vector<Station> stations(const Mesh& mesh, const ContactLine& line,
-                              const ContactLaw& law) {
+                              const ContactLaw<2>& law) {
   std::vector<Station> result;
   if (line.matches()) {
     for (int i = 0; i < line.node_count(); ++i)
@@ -278,7 +278,7 @@ Vector2d prescribed_jump(const Station& station, const ElasticSystem& system) {
 }
 
 void require_bonded(const Mesh& mesh, const ContactLine& line,
-                    const ContactLaw& law, const ElasticSystem& system) {
+                    const ContactLaw<2>& law, const ElasticSystem& system) {
   const std::vector<Station> all = stations(mesh, line, law);
   const double rounding = penetration_rounding * largest_given(all, system);
   for (const Station& station : all) {
@@ -291,7 +291,7 @@ void require_bonded(const Mesh& mesh, const ContactLine& line,
 }  // namespace
 
 void require_feasible(const Mesh& mesh, const ContactLine& line,
-                      const ContactLaw& law, const ElasticSystem& system) {
+                      const ContactLaw<2>& law, const ElasticSystem& system) {
   if (law.bonded) return require_bonded(mesh, line, law, system);
   if (!prescribed_on_both_sides(line, system.prescribed)) return;
   const std::vector<Station> all = stations(mesh, line, law);

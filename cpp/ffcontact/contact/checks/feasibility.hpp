@@ -25,6 +25,6 @@ namespace ffcontact {
 /// @throws std::invalid_argument  naming the place, how far it is inside, and what to
 ///                                change
 void require_feasible(const Mesh& mesh, const ContactLine& line,
-                      const ContactLaw& law, const ElasticSystem& system);
+                      const ContactLaw<2>& law, const ElasticSystem& system);
 
 }  // namespace ffcontact

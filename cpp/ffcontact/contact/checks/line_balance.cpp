@@ -9,7 +9,7 @@
 
 namespace ffcontact {
 
-MatrixXd extreme_forces(const ContactLine& line, const ContactLaw& law,
+MatrixXd extreme_forces(const ContactLine& line, const ContactLaw<2>& law,
                         const MatrixXd& motions) {
   const MatrixXd weighted =
       weight_of_rows(law.multiplier, line) * traces_of(line, motions);
@@ -34,7 +34,7 @@ MatrixXd extreme_forces(const ContactLine& line, const ContactLaw& law,
 }
 
 void require_balance(const Mesh& mesh, const ContactLine& line,
-                     const ContactLaw& law, const ElasticSystem& system,
+                     const ContactLaw<2>& law, const ElasticSystem& system,
                      const MatrixXd& motions, const VectorXd& push) {
   const MatrixXd unheld = unheld_motions(mesh, system);
   MatrixXd all(motions.rows(), unheld.cols() + motions.cols());

@@ -11,7 +11,7 @@ namespace ffcontact {
 /// size 1 whatever mu is, and -n is one of them: of two that are nearly +t and -t it would
 /// be the rounding. With Tresca's law the bounded tangential forces are taken at their
 /// largest in either direction. A bonded node has forces of any direction.
-MatrixXd extreme_forces(const ContactLine& line, const ContactLaw& law,
+MatrixXd extreme_forces(const ContactLine& line, const ContactLaw<2>& law,
                         const MatrixXd& motions);
 
 /// Can contact balance the loads of the body and those on a rigid foundation that forces
@@ -20,7 +20,7 @@ MatrixXd extreme_forces(const ContactLine& line, const ContactLaw& law,
 /// @param push     force or moment along each of them, which contact passes on to the body
 /// @throws std::invalid_argument  if it cannot
 void require_balance(const Mesh& mesh, const ContactLine& line,
-                     const ContactLaw& law, const ElasticSystem& system,
+                     const ContactLaw<2>& law, const ElasticSystem& system,
                      const MatrixXd& motions, const VectorXd& push);
 
 }  // namespace ffcontact

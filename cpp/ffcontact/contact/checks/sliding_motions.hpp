@@ -17,17 +17,6 @@
 /// motions, and loads balanced along them.
 namespace ffcontact {
 
-/// A coefficient of 1 wherever there is friction, and nodal forces.
-inline ContactLaw as_rough(ContactLaw law) {
-  law.friction = law.friction.cwiseSign();
-  law.multiplier = Multiplier::force;
-  return law;
-}
-inline SurfaceLaw as_rough(SurfaceLaw law) {
-  law.friction = law.friction.cwiseSign();
-  return law;
-}
-
 /// Unheld rigid motions [dofs x k].
 struct RigidMotions {
   MatrixXd sliding;  ///< that loads drive by no more than noise

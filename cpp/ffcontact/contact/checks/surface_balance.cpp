@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ffcontact/contact/checks/balance.hpp"
+#include "ffcontact/contact/law/cones_of_law.hpp"
 
 namespace ffcontact {
 
@@ -30,7 +31,7 @@ Matrix3Xd spanning_forces(const FrictionCone& cone) {
 
 }  // namespace
 
-MatrixXd extreme_forces(const ContactSurface& surface, const SurfaceLaw& law,
+MatrixXd extreme_forces(const ContactSurface& surface, const ContactLaw<3>& law,
                         const MatrixXd& motions) {
   const MatrixXd traces = traces_of(surface, motions);
   if (law.bonded) return forces_either_way(traces);

@@ -19,7 +19,7 @@ constexpr double penetration_of_rounding = 1e-10;
 constexpr double no_motion = 1e-6;
 
 /// What prescribed dofs alone make of v, 0 where a free one takes part [3 x p].
-Matrix3Xd given_motions(const ContactSurface& surface, const SurfaceLaw& law,
+Matrix3Xd given_motions(const ContactSurface& surface, const ContactLaw<3>& law,
                         const ElasticSystem& system) {
   Matrix3Xd v =
       displacement_against_foundation(surface, law, system.prescribed_value);
@@ -39,7 +39,7 @@ Matrix3Xd given_motions(const ContactSurface& surface, const SurfaceLaw& law,
 
 /// How deep a node that supports hold is in what it faces, if what is free there moves as
 /// that which moves away most of what supports hold; 0 where all is free.
-double held_depth(const ContactSurface& surface, const SurfaceLaw& law,
+double held_depth(const ContactSurface& surface, const ContactLaw<3>& law,
                   const ElasticSystem& system, int node) {
   const Vector3d n = surface.normal.col(node);
   const auto along_n = [&](int vertex) {
@@ -61,7 +61,7 @@ double held_depth(const ContactSurface& surface, const SurfaceLaw& law,
 
 /// @throws std::invalid_argument  if prescribed dofs hold a bonded vertex off what it faces
 void require_together(const SolidMesh& mesh, const ContactSurface& surface,
-                      const SurfaceLaw& law, const ElasticSystem& system,
+                      const ContactLaw<3>& law, const ElasticSystem& system,
                       double least) {
   Index i;
   const double apart =
@@ -73,7 +73,7 @@ void require_together(const SolidMesh& mesh, const ContactSurface& surface,
 }  // namespace
 
 void require_feasible(const SolidMesh& mesh, const ContactSurface& surface,
-                      const SurfaceLaw& law, const ElasticSystem& system,
+                      const ContactLaw<3>& law, const ElasticSystem& system,
                       const Flags& held) {
   const double least = penetration_of_rounding *
                        largest_displacement(law, system.prescribed_value);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ffcontact/base/flags.hpp"
-#include "ffcontact/contact/law/surface_law.hpp"
+#include "ffcontact/contact/law/contact_law.hpp"
 #include "ffcontact/elastic/elastic_system.hpp"
 
 namespace ffcontact {
@@ -14,7 +14,7 @@ namespace ffcontact {
 /// @throws std::invalid_argument  if prescribed dofs hold a vertex inside the foundation, or
 ///                                a bonded one off what it faces
 void require_feasible(const SolidMesh& mesh, const ContactSurface& surface,
-                      const SurfaceLaw& law, const ElasticSystem& system,
+                      const ContactLaw<3>& law, const ElasticSystem& system,
                       const Flags& held);
 
 }  // namespace ffcontact

@@ -219,7 +219,7 @@ CondensedContact condensed_contact(ContactTrace trace,
 }
 
 CondensedContact condensed_contact(const ContactLine& line,
-                                   const ContactLaw& law,
+                                   const ContactLaw<2>& law,
                                    const ElasticSystem& system,
                                    const CondensedStiffness& stiffness,
                                    const FoundationMotions& foundation,
@@ -227,7 +227,7 @@ CondensedContact condensed_contact(const ContactLine& line,
   const VertexMotions motions = vertex_motions(line, system.prescribed);
   if (motions.rows.empty())
     refuse("every dof of the contact line is prescribed");
-  HeldRows held = held_rows(line, law, system);
+  HeldRows<2> held = held_rows(line, law, system);
   const SparseMatrix W = weight_of_rows(law.multiplier, line);
   const Matrix2Xd v =
       steered_displacement(line, law, held, system.prescribed_value);
@@ -243,7 +243,7 @@ CondensedContact condensed_contact(const ContactLine& line,
     trace.free_motions = free_motions(trace.kept_dofs, Eigen::all);
   CondensedContact contact =
       condensed_contact(std::move(trace), motions.rows, system.load, stiffness);
-  contact.held = std::move(held);
+  contact.held = std::move(held.row);
   const std::vector<int> continued = continued_rows(line, system.prescribed);
   for (int row : contact.dependent) contact.continued.push_back(continued[row]);
   return contact;

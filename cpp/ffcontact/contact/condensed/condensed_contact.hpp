@@ -35,7 +35,7 @@ namespace ffcontact {
 /// At a vertex with one free dof the primary row is the normal one unless the dof is
 /// tangential.
 struct CondensedContact : ContactTrace {
-  HeldRows held;               ///< of a contact line
+  Flags held;                  ///< of a contact line, of HeldRows [rows]
   std::vector<int> primary;    ///< row of each primary unknown [f]
   std::vector<int> dependent;  ///< row of each dependent unknown [d]
   /// continued_rows of the dependent ones of a contact line [d]
@@ -90,7 +90,7 @@ CondensedContact condensed_contact(ContactTrace trace,
 /// @throws std::invalid_argument  if the contact line has no free dof
 /// @throws std::runtime_error     if foundation and body are not held by each other
 CondensedContact condensed_contact(const ContactLine& line,
-                                   const ContactLaw& law,
+                                   const ContactLaw<2>& law,
                                    const ElasticSystem& system,
                                    const CondensedStiffness& stiffness,
                                    const FoundationMotions& foundation = {},

@@ -16,7 +16,7 @@ SparseMatrix beside(const SparseMatrix& A, const SparseMatrix& B) {
 }
 
 /// Forces on held rows load no body, and none of the foundation's then.
-MatrixXd felt(MatrixXd trace, const ContactLaw& law, const Flags& held) {
+MatrixXd felt(MatrixXd trace, const ContactLaw<2>& law, const Flags& held) {
   if (law.multiplier == Multiplier::pressure) return trace;
   for (Index row = 0; row < trace.rows(); ++row)
     if (held[row]) trace.row(row).setZero();
@@ -25,7 +25,7 @@ MatrixXd felt(MatrixXd trace, const ContactLaw& law, const Flags& held) {
 
 }  // namespace
 
-void add_motions(const FoundationMotions& foundation, const ContactLaw& law,
+void add_motions(const FoundationMotions& foundation, const ContactLaw<2>& law,
                  const Flags& held, const SparseMatrix& W,
                  ContactTrace& trace) {
   if (foundation.trace.cols() == 0) return;

@@ -23,7 +23,7 @@ struct FoundationMotions {
 /// Adds them to what moves the rows of a contact line.
 /// @param held  rows that no displacement moves [2 p]
 /// @param W     weight_of_rows
-void add_motions(const FoundationMotions& foundation, const ContactLaw& law,
+void add_motions(const FoundationMotions& foundation, const ContactLaw<2>& law,
                  const Flags& held, const SparseMatrix& W, ContactTrace& trace);
 
 }  // namespace ffcontact

@@ -186,7 +186,8 @@ class TraceBuilder {
 
 }  // namespace
 
-SurfaceTrace surface_trace(const ContactSurface& surface, const SurfaceLaw& law,
+SurfaceTrace surface_trace(const ContactSurface& surface,
+                           const ContactLaw<3>& law,
                            const ElasticSystem& system) {
   const std::vector<int> kept = free_dofs_at(contact_vertices(surface), system);
   SurfaceTrace result = TraceBuilder(surface, system.prescribed).trace(kept);

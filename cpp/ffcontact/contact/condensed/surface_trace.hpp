@@ -5,7 +5,7 @@
 
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/condensed/condensed_contact.hpp"
-#include "ffcontact/contact/law/surface_law.hpp"
+#include "ffcontact/contact/law/contact_law.hpp"
 
 namespace ffcontact {
 
@@ -28,7 +28,8 @@ struct SurfaceTrace {
 };
 
 /// @throws std::invalid_argument  if every dof of the surface is prescribed
-SurfaceTrace surface_trace(const ContactSurface& surface, const SurfaceLaw& law,
+SurfaceTrace surface_trace(const ContactSurface& surface,
+                           const ContactLaw<3>& law,
                            const ElasticSystem& system);
 
 }  // namespace ffcontact

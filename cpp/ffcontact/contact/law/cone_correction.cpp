@@ -66,7 +66,8 @@ int ConeCorrection::corrected_count() const {
   return static_cast<int>((shift.array() != 0).count());
 }
 
-ConeCorrection correct_to_cone(const ContactLine& line, const ContactLaw& law,
+ConeCorrection correct_to_cone(const ContactLine& line,
+                               const ContactLaw<2>& law,
                                const ContactDensities& densities) {
   require_fitting(line, "normal", densities.normal);
   require_fitting(line, "tangential", densities.tangential);

@@ -31,7 +31,8 @@ struct ConeCorrection {
 
 /// @throws std::invalid_argument  if sizes differ, a value is not finite, or the given
 ///                                directions of a line turn along an edge
-ConeCorrection correct_to_cone(const ContactLine& line, const ContactLaw& law,
+ConeCorrection correct_to_cone(const ContactLine& line,
+                               const ContactLaw<2>& law,
                                const ContactDensities& densities);
 
 }  // namespace ffcontact

@@ -20,7 +20,7 @@ Vector2d at_ends(const ContactLine& line, const Matrix2Xd& bound,
 
 using Bound = Matrix2Xd EdgeRange::*;
 
-void put_limits(const ContactLine& line, const ContactLaw& law, Bound bound,
+void put_limits(const ContactLine& line, const ContactLaw<2>& law, Bound bound,
                 int edge, ConesAtEnds& cones) {
   const Vector2d limits =
       at_ends(line, law.limit_between_nodes.*bound, law.shear_limit, edge);
@@ -29,8 +29,8 @@ void put_limits(const ContactLine& line, const ContactLaw& law, Bound bound,
 }
 
 /// The cones by the least or the most of what the law has along an edge.
-ConesAtEnds cones(const ContactLine& line, const ContactLaw& law, Bound bound,
-                  int edge) {
+ConesAtEnds cones(const ContactLine& line, const ContactLaw<2>& law,
+                  Bound bound, int edge) {
   const VectorXd& coefficient = law.tresca() ? law.slip_bound : law.friction;
   const Vector2d values =
       at_ends(line, law.between_nodes.*bound, coefficient, edge);
@@ -160,7 +160,7 @@ double part_inside(const EdgeCone& cone, const Vector4d& inner,
 
 }  // namespace
 
-ConesAtEnds least_cones(const ContactLine& line, const ContactLaw& law,
+ConesAtEnds least_cones(const ContactLine& line, const ContactLaw<2>& law,
                         int edge) {
   ConesAtEnds least = cones(line, law, &EdgeRange::least, edge);
   for (FrictionCone& cone : least)
@@ -168,7 +168,7 @@ ConesAtEnds least_cones(const ContactLine& line, const ContactLaw& law,
   return least;
 }
 
-ConesAtEnds most_cones(const ContactLine& line, const ContactLaw& law,
+ConesAtEnds most_cones(const ContactLine& line, const ContactLaw<2>& law,
                        int edge) {
   return cones(line, law, &EdgeRange::most, edge);
 }
@@ -185,11 +185,12 @@ EdgeCone edge_cone(const ConesAtEnds& cones) {
   return result;
 }
 
-EdgeCone edge_cone(const ContactLine& line, const ContactLaw& law, int edge) {
+EdgeCone edge_cone(const ContactLine& line, const ContactLaw<2>& law,
+                   int edge) {
   return edge_cone(least_cones(line, law, edge));
 }
 
-Vector4d clamped_to_cone(const ContactLine& line, const ContactLaw& law,
+Vector4d clamped_to_cone(const ContactLine& line, const ContactLaw<2>& law,
                          int edge, const Vector4d& r) {
   const ConesAtEnds cones = least_cones(line, law, edge);
   const Vector2d first = cones[0].clamped(r.head<2>()),
@@ -203,7 +204,7 @@ Vector4d clamped_to_cone(const ContactLine& line, const ContactLaw& law,
   return interleaved(normal, part * tangential);
 }
 
-double cone_defect(const ContactLine& line, const ContactLaw& law,
+double cone_defect(const ContactLine& line, const ContactLaw<2>& law,
                    const ContactDensities& densities) {
   const double scale = largest_traction(densities);
   if (scale == 0 || law.bonded) return 0;

@@ -46,9 +46,9 @@ struct FrictionCone {
 /// The cones at the ends of a contact edge. Between them c, mu and k are linear: nowhere
 /// above those of the law (least), or nowhere below (most).
 using ConesAtEnds = std::array<FrictionCone, 2>;
-ConesAtEnds least_cones(const ContactLine& line, const ContactLaw& law,
+ConesAtEnds least_cones(const ContactLine& line, const ContactLaw<2>& law,
                         int edge);
-ConesAtEnds most_cones(const ContactLine& line, const ContactLaw& law,
+ConesAtEnds most_cones(const ContactLine& line, const ContactLaw<2>& law,
                        int edge);
 
 /// The law on one contact edge as linear conditions C r >= d on the end values r =
@@ -73,15 +73,15 @@ struct EdgeCone {
   VectorXd d;
 };
 EdgeCone edge_cone(const ConesAtEnds& cones);
-EdgeCone edge_cone(const ContactLine& line, const ContactLaw& law, int edge);
+EdgeCone edge_cone(const ContactLine& line, const ContactLaw<2>& law, int edge);
 
 /// Cuts off the rounding of end values r that are in the cone of their edge but for it.
-Vector4d clamped_to_cone(const ContactLine& line, const ContactLaw& law,
+Vector4d clamped_to_cone(const ContactLine& line, const ContactLaw<2>& law,
                          int edge, const Vector4d& r);
 
 /// Largest of r_n and |r_t| - c along all edges, with c from the lower bound of the
 /// coefficient, relative to the largest traction; 0 inside the cone.
-double cone_defect(const ContactLine& line, const ContactLaw& law,
+double cone_defect(const ContactLine& line, const ContactLaw<2>& law,
                    const ContactDensities& densities);
 
 }  // namespace ffcontact

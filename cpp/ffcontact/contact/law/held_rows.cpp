@@ -50,11 +50,11 @@ Flags held_rows(const ContactLine& line, const Flags& prescribed) {
   return held;
 }
 
-HeldRows held_rows(const ContactLine& line, const ContactLaw& law,
-                   const ElasticSystem& system) {
+HeldRows<2> held_rows(const ContactLine& line, const ContactLaw<2>& law,
+                      const ElasticSystem& system) {
   const VectorXd& given = system.prescribed_value;
-  HeldRows held{held_rows(line, system.prescribed),
-                displacement_against_foundation(line, law, given)};
+  HeldRows<2> held{held_rows(line, system.prescribed),
+                   displacement_against_foundation(line, law, given)};
   const double largest = largest_displacement(law, given);
   for (int i = 0; i < line.node_count(); ++i) {
     const double none = (moved + uncounted(line, i)) * largest;
@@ -62,15 +62,6 @@ HeldRows held_rows(const ContactLine& line, const ContactLaw& law,
       if (std::abs(v) <= none) v = 0;
   }
   return held;
-}
-
-Matrix2Xd steered_displacement(const ContactLine& line, const ContactLaw& law,
-                               const HeldRows& held,
-                               const Ref<const VectorXd>& displacement) {
-  Matrix2Xd v = displacement_against_foundation(line, law, displacement);
-  for (Index row = 0; row < v.size(); ++row)
-    if (held.row[row]) v(row % 2, row / 2) = held.v(row % 2, row / 2);
-  return v;
 }
 
 }  // namespace ffcontact

@@ -20,19 +20,29 @@ namespace ffcontact {
 Flags held_rows(const ContactLine& line, const Flags& prescribed);
 
 /// Held rows and what prescribed values make of them.
+template <int d>
 struct HeldRows {
-  Flags row;  ///< held_rows
-  /// (u_n - gap, u_t - previous) of the prescribed values there [2 x p]; 0 where the
-  /// vertices that do not count, or 1e-6 of the largest of these, could make it so
-  Matrix2Xd v;
+  Flags
+      row;  ///< of a line held_rows, of a surface those of surface_trace [d p]
+  /// (u_n - gap, u_t - previous) of the prescribed values there [d x p]; of a line 0 where the
+  /// vertices that do not count, or 1e-6 of the largest of these, could make it so, of a
+  /// surface 0
+  Matrix<double, d, Dynamic> v;
 };
-HeldRows held_rows(const ContactLine& line, const ContactLaw& law,
-                   const ElasticSystem& system);
+HeldRows<2> held_rows(const ContactLine& line, const ContactLaw<2>& law,
+                      const ElasticSystem& system);
 
 /// (u_n - gap, u_t - previous) at the nodes, on held rows that of the prescribed values
-/// [2 x p].
-Matrix2Xd steered_displacement(const ContactLine& line, const ContactLaw& law,
-                               const HeldRows& held,
-                               const Ref<const VectorXd>& displacement);
+/// [d x p].
+template <int d>
+Matrix<double, d, Dynamic> steered_displacement(
+    const LineOrSurface<d>& where, const ContactLaw<d>& law,
+    const HeldRows<d>& held, const Ref<const VectorXd>& displacement) {
+  Matrix<double, d, Dynamic> v =
+      displacement_against_foundation(where, law, displacement);
+  for (Index row = 0; row < v.size(); ++row)
+    if (held.row[row]) v.data()[row] = held.v.data()[row];
+  return v;
+}
 
 }  // namespace ffcontact

@@ -53,16 +53,14 @@ VectorXd friction_after(const ContactStates& last, const VectorXd& at_rest,
   return friction;
 }
 
-ContactLaw law_after(const ContactStates& last, ContactLaw law,
-                     const ContactLine& line, const KineticFriction& kinetic) {
-  law.friction = friction_after(last, law.friction, kinetic.friction);
-  EdgeRange& between = law.between_nodes;
-  if (between.least.size() == 0) return law;
-  put_kinetic(last, line, law.friction, kinetic.between_nodes.least,
-              between.least);
-  put_kinetic(last, line, law.friction, kinetic.between_nodes.most,
-              between.most);
-  return law;
+EdgeRange between_nodes_after(const ContactStates& last,
+                              const ContactLine& line, EdgeRange between,
+                              const VectorXd& friction,
+                              const EdgeRange& kinetic) {
+  if (between.least.size() == 0) return between;
+  put_kinetic(last, line, friction, kinetic.least, between.least);
+  put_kinetic(last, line, friction, kinetic.most, between.most);
+  return between;
 }
 
 }  // namespace ffcontact

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <utility>
+
 #include "ffcontact/contact/law/contact_law.hpp"
-#include "ffcontact/contact/law/surface_law.hpp"
 
 /// Coulomb's coefficient of what slips, below that of what sticks: friction that breaks away.
 namespace ffcontact {
@@ -31,25 +32,32 @@ ContactStates states_of_step(ContactStates states,
 VectorXd friction_after(const ContactStates& last, const VectorXd& at_rest,
                         const VectorXd& kinetic);
 
-/// The law of the load step after that. Between a node of a line that slipped and one that did
-/// not mu is linear.
-ContactLaw law_after(const ContactStates& last, ContactLaw law,
-                     const ContactLine& line, const KineticFriction& kinetic);
-inline SurfaceLaw law_after(const ContactStates& last, SurfaceLaw law,
-                            const ContactSurface&,
-                            const KineticFriction& kinetic) {
+/// mu between the nodes of a line after that: linear between a node that slipped and one that
+/// did not.
+/// @param friction  friction_after
+EdgeRange between_nodes_after(const ContactStates& last,
+                              const ContactLine& line, EdgeRange between,
+                              const VectorXd& friction,
+                              const EdgeRange& kinetic);
+
+/// The law of the load step after that.
+template <int d>
+ContactLaw<d> law_after(const ContactStates& last, ContactLaw<d> law,
+                        const LineOrSurface<d>& where,
+                        const KineticFriction& kinetic) {
   law.friction = friction_after(last, law.friction, kinetic.friction);
+  if constexpr (d == 2)
+    law.between_nodes =
+        between_nodes_after(last, where, std::move(law.between_nodes),
+                            law.friction, kinetic.between_nodes);
   return law;
 }
 
 /// With mu of another law.
-inline ContactLaw with_friction_of(const ContactLaw& other, ContactLaw law) {
+template <int d>
+ContactLaw<d> with_friction_of(const ContactLaw<d>& other, ContactLaw<d> law) {
   law.friction = other.friction;
-  law.between_nodes = other.between_nodes;
-  return law;
-}
-inline SurfaceLaw with_friction_of(const SurfaceLaw& other, SurfaceLaw law) {
-  law.friction = other.friction;
+  if constexpr (d == 2) law.between_nodes = other.between_nodes;
   return law;
 }
 

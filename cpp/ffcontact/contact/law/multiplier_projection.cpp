@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/law/cones_of_law.hpp"
 #include "ffcontact/contact/law/nodal_law.hpp"
 #include "ffcontact/contact/law/nodal_pressures.hpp"
 
@@ -12,14 +13,14 @@ namespace ffcontact {
 namespace {
 
 /// What turns nodal pressures into the multipliers of the law.
-VectorXd weights(const ContactLine& line, const ContactLaw& law) {
+VectorXd weights(const ContactLine& line, const ContactLaw<2>& law) {
   return law.multiplier == Multiplier::pressure
              ? VectorXd::Ones(line.node_count())
              : nodal_lengths(line);
 }
 
 /// The law with the bound that g gives, in units of P.
-NodalLaw law_of_step(const ContactLine& line, const ContactLaw& law,
+NodalLaw law_of_step(const ContactLine& line, const ContactLaw<2>& law,
                      const VectorXd& given_pressure) {
   const NodalLaw nodal = nodal_law(law, line);
   if (given_pressure.size() == 0) return nodal;
@@ -47,7 +48,7 @@ Vector2d projected(const FrictionCone& cone, double weight, Vector2d p) {
 }  // namespace
 
 MultiplierProjection projected_multipliers(
-    const ContactLine& line, const ContactLaw& law,
+    const ContactLine& line, const ContactLaw<2>& law,
     const Ref<const Matrix2Xd>& pressure,
     const Ref<const VectorXd>& given_pressure) {
   require_valid(law, line);

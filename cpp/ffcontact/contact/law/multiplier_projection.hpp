@@ -24,7 +24,7 @@ struct MultiplierProjection {
 /// @throws std::invalid_argument  if sizes differ from the line's or a value is not
 ///                                finite
 MultiplierProjection projected_multipliers(
-    const ContactLine& line, const ContactLaw& law,
+    const ContactLine& line, const ContactLaw<2>& law,
     const Ref<const Matrix2Xd>& pressure,
     const Ref<const VectorXd>& given_pressure = VectorXd());
 

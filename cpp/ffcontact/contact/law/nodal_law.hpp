@@ -23,8 +23,6 @@ struct NodalLaw {
   bool is_bonded() const;
 };
 
-NodalLaw nodal_law(const ContactLaw& law, const ContactLine& line);
-
 /// Tresca's law of the problem P(g) [CHH01, (3.1)]: the bound of Coulomb's law at given
 /// normal multipliers.
 /// @param normal  g_n in units of P [p]; what is above 0 counts as 0
@@ -44,30 +42,16 @@ inline double either_violation(double P, double v) {
   return std::min(std::abs(P), std::abs(v));
 }
 
-/// Largest violation of (3.17)-(3.22) by P and v, rows 2 i + c [2 p]: displacements
-/// relative to scales.v, multipliers to the largest of them, or to scales.P where they
-/// are but rounding beside it. Where one of two must be 0 (P_n or v_n, the distance to
-/// the bound or v_t, P_t or v_t if they have one sign) the smaller one is the violation:
-/// a product would let both be a hundred thousand roundings.
+/// Largest violation of the law, (3.17)-(3.22) of plane bodies, by P and v of rows d i + c
+/// [d p]: displacements relative to scales.v, multipliers to the largest of them, or to
+/// scales.P where they are but rounding beside it. Where one of two must be 0 (P_n or v_n,
+/// v_t or P_t + b v_t / |v_t|) the smaller one is the violation: a product would let both be
+/// a hundred thousand roundings.
 /// @param idle  1 where the friction of a node does nothing to a body, and is not looked at
 ///              [p]; none: nowhere
 double law_violation(const NodalLaw& law, const Ref<const VectorXd>& P,
                      const Ref<const VectorXd>& v, const LawScales& scales,
                      const Flags& idle = {});
-
-/// Largest violation of Prop. 3.4 (pressure) or Prop. 3.5 (force), relative to the
-/// largest multiplier, or the largest displacement of the body, gap or previous
-/// displacement.
-/// @param displacement  on all dofs [mm]
-/// @param held          of steered_displacement
-/// @param multiplier    (P_n, P_t) at each node [2 x p]
-/// @param least         what v = W (u - gap) and P are relative to at least: where all
-///                      nodes stick u is nothing but rounding, and P where none is loaded
-double complementarity_defect(const ContactLine& line, const ContactLaw& law,
-                              const HeldRows& held,
-                              const Ref<const VectorXd>& displacement,
-                              const Ref<const Matrix2Xd>& multiplier,
-                              const LawScales& least = {});
 
 /// Puts multipliers that miss the law by rounding exactly into it: P_n <= 0, |P_t| <= b,
 /// and P_t = -s b where a node slips.

@@ -21,6 +21,12 @@ VectorXd nodal_lengths(const ContactLine& line);
 Matrix2Xd lumped_pressures(const ContactLine& line,
                            const Ref<const Matrix2Xd>& force);
 
+/// p_i = F_i / A_i of nodal forces on a surface [MPa, 3 x p].
+inline Matrix3Xd lumped_pressures(const ContactSurface& surface,
+                                  const Ref<const Matrix3Xd>& force) {
+  return force * surface.area.cwiseInverse().asDiagonal();
+}
+
 /// F_i = len_i p_i [2 x p].
 Matrix2Xd lumped_forces(const ContactLine& line,
                         const Ref<const Matrix2Xd>& pressure);

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "ffcontact/base/flags.hpp"
-#include "ffcontact/contact/law/surface_law.hpp"
+#include "ffcontact/contact/law/contact_law.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
@@ -146,7 +146,7 @@ double surface_violation(const NewtonRelation& relation, const NodalLaw& law,
   const double missed = max_norm(beyond),
                size = std::max(
                    {scales.P, relation.largest_load(), max_norm(rows.P)});
-  return std::max(surface_violation(law, rows.P, v, scales),
+  return std::max(law_violation(law, rows.P.head(nodal), v, scales),
                   relative(missed, size));
 }
 

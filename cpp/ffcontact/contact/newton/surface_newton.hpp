@@ -10,7 +10,7 @@
 
 namespace ffcontact {
 
-/// Semismooth Newton for the law of a surface (SurfaceLaw) on its condensed relation,
+/// Semismooth Newton for the law of a surface (ContactLaw) on its condensed relation,
 /// full steps [Alart, Curnier 1991]. With tau = P - c v at each node, c the mean of
 /// diag(S) there,
 ///     P_n = min(0, tau_n),   P_t = Pi(tau_t) onto |.| <= rho,   rho = b(tau_n),

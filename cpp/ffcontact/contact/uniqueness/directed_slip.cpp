@@ -18,13 +18,13 @@ DirectedConstant directed_constant(const CondensedContact& contact,
 }
 
 CondensedContact surface_contact(const ContactSurface& surface,
-                                 const SurfaceLaw& law,
+                                 const ContactLaw<3>& law,
                                  const ElasticSystem& system,
                                  const CondensedStiffness& stiffness) {
   SurfaceTrace trace = surface_trace(surface, law, system);
   CondensedContact contact = condensed_contact(
       std::move(trace.trace), trace.primary, system.load, stiffness);
-  contact.held.row = std::move(trace.held);
+  contact.held = std::move(trace.held);
   return contact;
 }
 

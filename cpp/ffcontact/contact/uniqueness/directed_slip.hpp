@@ -5,7 +5,7 @@
 
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/condensed/condensed_contact.hpp"
-#include "ffcontact/contact/law/surface_law.hpp"
+#include "ffcontact/contact/law/contact_law.hpp"
 
 namespace ffcontact {
 
@@ -54,7 +54,7 @@ DirectedConstant directed_constant(const CondensedContact& contact,
 
 /// The condensed relation of a surface.
 CondensedContact surface_contact(const ContactSurface& surface,
-                                 const SurfaceLaw& law,
+                                 const ContactLaw<3>& law,
                                  const ElasticSystem& system,
                                  const CondensedStiffness& stiffness);
 

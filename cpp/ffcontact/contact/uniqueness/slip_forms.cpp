@@ -55,7 +55,7 @@ std::optional<SlipForms> SlipForms::of(const CondensedContact& contact,
     for (int c = 0; c < tangents; ++c) {
       const int row = dim * node + 1 + c, place = traces.place[row],
                 own_normal = traces.place[dim * node];
-      if (contact.held.row[row] || is_left_out[node]) continue;
+      if (contact.held[row] || is_left_out[node]) continue;
       const bool moves_alone =
           place >= 0 && own_normal >= 0 && !traces.is_followed[own_normal];
       if (weight(c, node) != 0 && !moves_alone) return std::nullopt;

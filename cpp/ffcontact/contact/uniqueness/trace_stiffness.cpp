@@ -23,7 +23,7 @@ DependentRows dependent_rows(const CondensedContact& contact) {
   DependentRows rows;
   const double stiffness = contact.S.diagonal().mean();
   for (int d = 0; d < count_of(contact.dependent); ++d) {
-    if (contact.held.row[contact.dependent[d]]) continue;
+    if (contact.held[contact.dependent[d]]) continue;
     const bool is_free = contact.F(d, d) * stiffness > row_rounding;
     (is_free ? rows.free : rows.following).push_back(d);
   }

@@ -26,7 +26,7 @@ bool is_free_along(int vertex, const Vector3d& normal,
   return false;
 }
 
-double largest_clearing(const SurfaceLaw& law,
+double largest_clearing(const ContactLaw<3>& law,
                         const Ref<const VectorXd>& displacement) {
   return farthest * largest_displacement(law, displacement);
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ffcontact/base/flags.hpp"
-#include "ffcontact/contact/law/surface_law.hpp"
+#include "ffcontact/contact/law/contact_law.hpp"
 
 namespace ffcontact {
 
@@ -12,7 +12,7 @@ bool is_free_along(int vertex, const Vector3d& normal, const Flags& prescribed);
 
 /// How far a vertex moves to come clear at most [mm]: 1000 times the largest displacement
 /// or gap.
-double largest_clearing(const SurfaceLaw& law,
+double largest_clearing(const ContactLaw<3>& law,
                         const Ref<const VectorXd>& displacement);
 
 /// The smallest change of the free components of a vertex that moves it along each of the

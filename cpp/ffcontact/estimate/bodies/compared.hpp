@@ -11,7 +11,7 @@ namespace ffcontact {
 template <int d>
 struct Compared {
   VectorXd displacement;
-  LawOfContact<d> law;
+  ContactLaw<d> law;
   LinearStresses<d> stress;  ///< sigma
   /// body loads of sigma_hat - sigma, where they are not those of sigma_hat
   BodyLoadsOfCells<d> other_loads{};

@@ -3,7 +3,7 @@
 
 namespace ffcontact {
 
-LineMotions::LineMotions(const ContactLine& line, const ContactLaw& law,
+LineMotions::LineMotions(const ContactLine& line, const ContactLaw<2>& law,
                          const Ref<const VectorXd>& displacement)
     : line_(line),
       at_nodes_(displacement_against_foundation(line, law, displacement)),

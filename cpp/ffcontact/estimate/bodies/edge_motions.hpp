@@ -27,7 +27,7 @@ struct EdgeMotions {
 class LineMotions {
  public:
   /// @param line  stays where it is
-  LineMotions(const ContactLine& line, const ContactLaw& law,
+  LineMotions(const ContactLine& line, const ContactLaw<2>& law,
               const Ref<const VectorXd>& displacement);
 
   /// (w_n, w_t) at a node.

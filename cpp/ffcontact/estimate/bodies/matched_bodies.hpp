@@ -35,7 +35,7 @@ class MatchedBodies<2> {
   }
 
   const ContactLine& solved_line() const { return solved_.contact; }
-  const ContactLaw& solved_law() const { return solved_.body.law; }
+  const ContactLaw<2>& solved_law() const { return solved_.body.law; }
   /// Length of the solved contact edge that a contact edge is a part of [mm].
   double solved_length(int e) const {
     return solved_.contact

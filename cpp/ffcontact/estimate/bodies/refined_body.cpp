@@ -45,28 +45,26 @@ EdgeRange refined_range(const Edges& old_edges, const ContactLine& old_line,
           refined_bound(old_edges, old_line, refinement, range.most)};
 }
 
-ContactLaw refined_law(const Edges& old_edges, const ContactLine& old_line,
-                       const CommonRefinement& refinement,
-                       const ContactLaw& old) {
+ContactLaw<2> refined_law(const Edges& old_edges, const ContactLine& old_line,
+                          const CommonRefinement& refinement,
+                          const ContactLaw<2>& old) {
   const auto values = [&](const VectorXd& at_nodes) {
     return refined_values(refinement, at_nodes);
   };
   const auto range = [&](const EdgeRange& between_nodes) {
     return refined_range(old_edges, old_line, refinement, between_nodes);
   };
-  return {old.multiplier,
-          values(old.friction),
-          values(old.slip_bound),
-          values(old.gap),
-          values(old.previous),
-          range(old.between_nodes),
-          values(old.shear_limit),
-          range(old.limit_between_nodes),
-          old.bonded,
-          old.layer,
-          old.carried.size() > 0
-              ? Matrix2Xd(old.carried * refinement.node_weights.transpose())
-              : old.carried};
+  ContactLaw<2> law = old;
+  law.friction = values(old.friction);
+  law.slip_bound = values(old.slip_bound);
+  law.gap = values(old.gap);
+  law.previous = values(old.previous);
+  law.between_nodes = range(old.between_nodes);
+  law.shear_limit = values(old.shear_limit);
+  law.limit_between_nodes = range(old.limit_between_nodes);
+  if (old.carried.size() > 0)
+    law.carried = old.carried * refinement.node_weights.transpose();
+  return law;
 }
 
 /// Linear on the old triangles, at the vertices of the new ones.

@@ -3,54 +3,17 @@
 
 #include <memory>
 #include <optional>
-#include <type_traits>
-#include <vector>
 
 #include "ffcontact/contact/law/contact_law.hpp"
-#include "ffcontact/contact/law/surface_law.hpp"
 #include "ffcontact/contact/rigid_tool.hpp"
 #include "ffcontact/elastic/factor/condensed_stiffness.hpp"
 #include "ffcontact/elastic/hooke.hpp"
 #include "ffcontact/equilibrium/stress/linear_stress.hpp"
 #include "ffcontact/equilibrium/tractions/boundary_springs.hpp"
+#include "ffcontact/interface/line_or_surface.hpp"
 #include "ffcontact/mesh/topology.hpp"
 
 namespace ffcontact {
-
-/// Where contact may occur, and its law there.
-template <int d>
-using LineOrSurface = std::conditional_t<d == 2, ContactLine, ContactSurface>;
-template <int d>
-using LawOfContact = std::conditional_t<d == 2, ContactLaw, SurfaceLaw>;
-
-/// Mesh facets of the contact facets.
-inline const VectorXi& facets_of(const ContactLine& line) { return line.edge; }
-inline const VectorXi& facets_of(const ContactSurface& surface) {
-  return surface.face;
-}
-
-/// Nodes of a contact facet.
-inline Vector2i nodes_of(const ContactLine& line, int edge) {
-  return line.edge_node.col(edge);
-}
-inline Vector3i nodes_of(const ContactSurface& surface, int face) {
-  return surface.face_node.col(face);
-}
-
-/// Calls of_facet(mesh facet, contact facet) for the mesh facets of the contact facets, and
-/// for those of other bodies that these face, which may come several times.
-template <class OfFacet>
-void for_touching_facets(const ContactLine& line, OfFacet&& of_facet) {
-  for (int e = 0; e < line.edge_count(); ++e) of_facet(line.edge[e], e);
-  for (const FacingPiece& piece : line.pieces)
-    of_facet(piece.opposite_edge, piece.contact_edge);
-}
-template <class OfFacet>
-void for_touching_facets(const ContactSurface& surface, OfFacet&& of_facet) {
-  for (int m = 0; m < surface.face_count(); ++m) of_facet(surface.face[m], m);
-  for (const FacingPolygon& polygon : surface.polygons)
-    of_facet(polygon.opposite_face, polygon.contact_face);
-}
 
 /// A computed contact solution and what it was computed from. Units are those of solids; per
 /// unit of thickness, forces of plane bodies are in N/mm.
@@ -61,7 +24,7 @@ struct SolvedBody {
   /// at the contact nodes, in the plane (lambda_n, lambda_t) [MPa], in space the forces
   /// (F_n, F_t1, F_t2) [N]
   Matrix<double, d, Dynamic> multipliers;
-  LawOfContact<d> law;
+  ContactLaw<d> law;
   /// moments of the given tractions, as for given_tractions [N, d^2 x boundary]
   FacetColumns<d> neumann;
   BodyLoadsOfCells<d> body_loads;  ///< int f phi_i per cell [N]

@@ -20,7 +20,7 @@ SolvedBody<2> unturned_body(const SolvedProblem<2>& solved,
   body.multipliers =
       consistent_pressures(line, solved.system.prescribed, shared);
   const Multiplier multiplier = body.law.multiplier;
-  body.law = bonded_law(line.node_count());
+  body.law = bonded_law<2>(line.node_count());
   body.law.multiplier = multiplier;
   return body;
 }

@@ -96,7 +96,7 @@ struct Lowered {
   double largest;  ///< change of a component
   VectorXd u;
 
-  VectorXd penetration(const ContactLaw& law) const {
+  VectorXd penetration(const ContactLaw<2>& law) const {
     return displacement_against_foundation(line, law, u).row(0);
   }
 
@@ -174,7 +174,8 @@ double highest_place(const QuadraticOnEdge& f) {
 
 }  // namespace
 
-VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
+VectorXd admissible_displacement(const ContactLine& line,
+                                 const ContactLaw<2>& law,
                                  const Ref<const VectorXd>& displacement,
                                  const Flags& prescribed) {
   const double largest = farthest * largest_displacement(law, displacement);
@@ -185,7 +186,8 @@ VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
   return lowered.u;
 }
 
-VectorXd cleared_between_nodes(const ContactLine& line, const ContactLaw& law,
+VectorXd cleared_between_nodes(const ContactLine& line,
+                               const ContactLaw<2>& law,
                                const Ref<const VectorXd>& displacement,
                                const Flags& prescribed) {
   constexpr int most_passes = 10;
@@ -202,7 +204,7 @@ VectorXd cleared_between_nodes(const ContactLine& line, const ContactLaw& law,
   return lowered.u;
 }
 
-DeepestNode deepest_node(const ContactLine& line, const ContactLaw& law,
+DeepestNode deepest_node(const ContactLine& line, const ContactLaw<2>& law,
                          const Ref<const VectorXd>& displacement) {
   if (law.bonded)
     return widest_jump(

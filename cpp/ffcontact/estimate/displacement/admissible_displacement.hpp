@@ -20,7 +20,8 @@ namespace ffcontact {
 /// changed (see deepest_node).
 /// @param displacement  u_h on all dofs [mm]
 /// @param prescribed    1 where the dof is prescribed and stays; empty for none
-VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
+VectorXd admissible_displacement(const ContactLine& line,
+                                 const ContactLaw<2>& law,
                                  const Ref<const VectorXd>& displacement,
                                  const Flags& prescribed = {});
 
@@ -30,13 +31,14 @@ VectorXd admissible_displacement(const ContactLine& line, const ContactLaw& law,
 /// are lowered by m / (1 + n_i . n_j) along their normals, and as often as needed where
 /// supports hold one of them. Nothing else changes.
 /// @param displacement  clear at the nodes [mm]
-VectorXd cleared_between_nodes(const ContactLine& line, const ContactLaw& law,
+VectorXd cleared_between_nodes(const ContactLine& line,
+                               const ContactLaw<2>& law,
                                const Ref<const VectorXd>& displacement,
                                const Flags& prescribed = {});
 
 /// Where u_n - gap is the largest along the line, and by how much it is above 0; the node
 /// that is next to it. Of bonded bodies, the node where they are the farthest apart.
-DeepestNode deepest_node(const ContactLine& line, const ContactLaw& law,
+DeepestNode deepest_node(const ContactLine& line, const ContactLaw<2>& law,
                          const Ref<const VectorXd>& displacement);
 
 }  // namespace ffcontact

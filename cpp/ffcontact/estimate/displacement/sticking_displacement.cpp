@@ -16,7 +16,7 @@ namespace ffcontact {
 namespace {
 
 /// 1 at the nodes of a line that slip: friction is at its bound, and there is some.
-Flags slipping_nodes(const ContactLine& line, const ContactLaw& law,
+Flags slipping_nodes(const ContactLine& line, const ContactLaw<2>& law,
                      const Ref<const Matrix2Xd>& pressure) {
   const double largest = max_norm(pressure);
   Flags slipping(line.node_count(), 0);
@@ -58,7 +58,7 @@ class Sticking {
   }
 
   VectorXd displacement(VectorXd u) const {
-    const ContactLaw& law = bodies_.body().law;
+    const ContactLaw<2>& law = bodies_.body().law;
     const VectorXd slip = displacement_against_foundation(line_, law, u).row(1);
     const VectorXd worth = worth_of_sticking();
     for (int i = 0; i < line_.node_count(); ++i)

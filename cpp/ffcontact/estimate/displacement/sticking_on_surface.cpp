@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "ffcontact/contact/law/cones_of_law.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/estimate/displacement/rough_contact.hpp"
 #include "ffcontact/estimate/displacement/sticking_displacement.hpp"
@@ -75,7 +76,7 @@ void take_slip(int vertex, Vector3d slip, const Flags& prescribed,
 VectorXd sticking_displacement(const SolvedProblem<3>& solved,
                                VectorXd displacement) {
   const auto& [topology, surface, system, body] = solved;
-  const std::vector<FrictionCone> cones = law_cones(body.law, surface);
+  const std::vector<FrictionCone> cones = law_cones(body.law);
   const Matrix3Xd traction =
       lumped_tractions(body.law, surface, body.multipliers);
   const VectorXd worth =

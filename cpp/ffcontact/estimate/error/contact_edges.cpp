@@ -11,7 +11,7 @@ namespace ffcontact {
 
 namespace {
 
-ContactFacet<2> contact_edge(const ContactLine& line, const ContactLaw& law,
+ContactFacet<2> contact_edge(const ContactLine& line, const ContactLaw<2>& law,
                              const TractionCosts& costs, int e) {
   ContactFacet<2> edge;
   edge.facet = line.edge[e];
@@ -36,7 +36,7 @@ ContactFacet<2> contact_edge(const ContactLine& line, const ContactLaw& law,
 }  // namespace
 
 std::vector<ContactFacet<2>> contact_edges(
-    const ContactLine& line, const ContactLaw& law,
+    const ContactLine& line, const ContactLaw<2>& law,
     const Ref<const VectorXd>& displacement, const ContactDensities& densities,
     const BoundaryTractions& boundary) {
   const TractionCosts costs =

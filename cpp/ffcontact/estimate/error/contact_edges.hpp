@@ -14,7 +14,7 @@ namespace ffcontact {
 /// @param densities     r_hat
 /// @param boundary      what the boundary carries with it
 std::vector<ContactFacet<2>> contact_edges(
-    const ContactLine& line, const ContactLaw& law,
+    const ContactLine& line, const ContactLaw<2>& law,
     const Ref<const VectorXd>& displacement, const ContactDensities& densities,
     const BoundaryTractions& boundary);
 

@@ -121,7 +121,7 @@ Linear linear(const Vector2d& ends) { return {ends[0], ends[1]}; }
 /// The fields of r_hat and a displacement along the edges.
 class LineFields {
  public:
-  LineFields(const ContactLine& line, const ContactLaw& law,
+  LineFields(const ContactLine& line, const ContactLaw<2>& law,
              const ContactDensities& densities,
              const Ref<const VectorXd>& displacement)
       : line_(line),
@@ -150,7 +150,7 @@ class LineFields {
 
  private:
   const ContactLine& line_;
-  const ContactLaw& law_;
+  const ContactLaw<2>& law_;
   const ContactDensities& densities_;
   LineMotions motions_;
   double least_slip_;
@@ -193,7 +193,7 @@ bool matters(const EdgeFields& edge) {
 
 }  // namespace
 
-VectorXd contact_error(const ContactLine& line, const ContactLaw& law,
+VectorXd contact_error(const ContactLine& line, const ContactLaw<2>& law,
                        const ContactDensities& densities,
                        const Ref<const VectorXd>& displacement) {
   const LineFields fields(line, law, densities, displacement);
@@ -216,7 +216,7 @@ void add_to_cells(const Edges& edges, const ContactLine& line,
   }
 }
 
-TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law,
+TractionCosts traction_costs(const ContactLine& line, const ContactLaw<2>& law,
                              const ContactDensities& densities,
                              const Ref<const VectorXd>& displacement) {
   const LineFields fields(line, law, densities, displacement);
@@ -236,7 +236,7 @@ TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law,
   return costs;
 }
 
-BetweenNodes between_nodes(const ContactLine& line, const ContactLaw& law,
+BetweenNodes between_nodes(const ContactLine& line, const ContactLaw<2>& law,
                            const ContactDensities& densities,
                            const Ref<const VectorXd>& displacement) {
   const LineFields fields(line, law, densities, displacement);

@@ -19,7 +19,7 @@ namespace ffcontact {
 /// value is >= 0; the indicator functions are left out: outside the cone the value has no
 /// meaning as a bound and can be negative.
 /// @param displacement  u_hat on all dofs [mm]
-VectorXd contact_error(const ContactLine& line, const ContactLaw& law,
+VectorXd contact_error(const ContactLine& line, const ContactLaw<2>& law,
                        const ContactDensities& densities,
                        const Ref<const VectorXd>& displacement);
 
@@ -39,12 +39,12 @@ void add_to_cells(const Edges& edges, const ContactLine& line,
 struct TractionCosts {
   Matrix2Xd normal, tangential;
 };
-TractionCosts traction_costs(const ContactLine& line, const ContactLaw& law,
+TractionCosts traction_costs(const ContactLine& line, const ContactLaw<2>& law,
                              const ContactDensities& densities,
                              const Ref<const VectorXd>& displacement);
 
 /// Along all edges of the line; facets are numbers of contact edges.
-BetweenNodes between_nodes(const ContactLine& line, const ContactLaw& law,
+BetweenNodes between_nodes(const ContactLine& line, const ContactLaw<2>& law,
                            const ContactDensities& densities,
                            const Ref<const VectorXd>& displacement);
 

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 
 #include "ffcontact/base/packed.hpp"
+#include "ffcontact/contact/law/cones_of_law.hpp"
 #include "ffcontact/estimate/error/face_fields.hpp"
 #include "ffcontact/estimate/tractions/cone_projection.hpp"
 #include "ffcontact/interface/traction_parts.hpp"
@@ -60,13 +61,13 @@ void bend(ContactFacet<3>& face) {
 
 std::vector<ContactFacet<3>> contact_faces(
     const SolidMesh& mesh, const Facets<3>& faces,
-    const ContactSurface& surface, const SurfaceLaw& law,
+    const ContactSurface& surface, const ContactLaw<3>& law,
     const Ref<const VectorXd>& displacement) {
   const bool between_bodies = surface.against_a_body();
   const std::vector<MatchingFace> matches =
       matching_faces(mesh, faces, surface);
   const std::vector<FrictionCone> cones = traction_cones(law, surface),
-                                  paid = law_cones(law, surface);
+                                  paid = law_cones(law);
   const double least = least_motion * largest_displacement(law, displacement),
                rounding = rounding_of_slip(law, displacement);
   std::vector<ContactFacet<3>> contact;

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "ffcontact/contact/law/surface_law.hpp"
+#include "ffcontact/contact/law/contact_law.hpp"
 #include "ffcontact/equilibrium/tractions/contact_facet.hpp"
 #include "ffcontact/equilibrium/tractions/face_tractions.hpp"
 #include "ffcontact/estimate/tractions/surface_tractions.hpp"
@@ -19,7 +19,7 @@ constexpr double least_motion = 1e-9;
 /// @param displacement  u_hat on all dofs [mm]
 std::vector<ContactFacet<3>> contact_faces(
     const SolidMesh& mesh, const Facets<3>& faces,
-    const ContactSurface& surface, const SurfaceLaw& law,
+    const ContactSurface& surface, const ContactLaw<3>& law,
     const Ref<const VectorXd>& displacement);
 
 /// Their places on the surface.

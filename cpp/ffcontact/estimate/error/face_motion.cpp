@@ -15,7 +15,7 @@ namespace ffcontact {
 namespace {
 
 /// Normals, load step before and gap of some nodes.
-FaceMotion given_at(const ContactSurface& surface, const SurfaceLaw& law,
+FaceMotion given_at(const ContactSurface& surface, const ContactLaw<3>& law,
                     const std::vector<int>& nodes) {
   const Index count = static_cast<Index>(nodes.size());
   FaceMotion given{surface.normal(Eigen::all, nodes), Matrix3Xd(3, count),
@@ -63,7 +63,7 @@ Vector3d FaceMotion::slip_at(const Ref<const VectorXd>& place) const {
 }
 
 FaceMotion motion_on_face(const Facets<3>& faces, const ContactSurface& surface,
-                          const SurfaceLaw& law, int contact_face,
+                          const ContactLaw<3>& law, int contact_face,
                           const MatchingFace& match,
                           const Ref<const VectorXd>& displacement) {
   const Vector3i nodes = surface.face_node.col(contact_face);
@@ -79,7 +79,7 @@ FaceMotion motion_on_face(const Facets<3>& faces, const ContactSurface& surface,
 
 FaceMotion motion_on_polygon(const Facets<3>& faces,
                              const ContactSurface& surface,
-                             const SurfaceLaw& law,
+                             const ContactLaw<3>& law,
                              const FacingPolygon& polygon,
                              const Ref<const VectorXd>& displacement) {
   const int m = polygon.contact_face;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/contact/law/surface_law.hpp"
+#include "ffcontact/contact/law/contact_law.hpp"
 #include "ffcontact/interface/pairing/matching_faces.hpp"
 
 namespace ffcontact {
@@ -28,14 +28,14 @@ struct FaceMotion {
 
 /// On a face whose corners are all nodes, against a rigid foundation or a face that matches.
 FaceMotion motion_on_face(const Facets<3>& faces, const ContactSurface& surface,
-                          const SurfaceLaw& law, int contact_face,
+                          const ContactLaw<3>& law, int contact_face,
                           const MatchingFace& match,
                           const Ref<const VectorXd>& displacement);
 
 /// On a polygon of the common refinement.
 FaceMotion motion_on_polygon(const Facets<3>& faces,
                              const ContactSurface& surface,
-                             const SurfaceLaw& law,
+                             const ContactLaw<3>& law,
                              const FacingPolygon& polygon,
                              const Ref<const VectorXd>& displacement);
 

@@ -6,6 +6,7 @@
 
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
+#include "ffcontact/contact/law/cones_of_law.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/estimate/bodies/clearing.hpp"
 #include "ffcontact/estimate/error/face_fields.hpp"
@@ -54,7 +55,8 @@ using Wanted = std::map<int, std::map<int, double>>;
 class FacingClearing {
  public:
   FacingClearing(const Facets<3>& faces, const ContactSurface& surface,
-                 const SurfaceLaw& law, const Ref<const VectorXd>& displacement,
+                 const ContactLaw<3>& law,
+                 const Ref<const VectorXd>& displacement,
                  const Flags& prescribed)
       : faces_(faces),
         surface_(surface),
@@ -152,7 +154,7 @@ class FacingClearing {
 
   const Facets<3>& faces_;
   const ContactSurface& surface_;
-  const SurfaceLaw& law_;
+  const ContactLaw<3>& law_;
   const Flags& prescribed_;
   double largest_;
   VectorXd u_;
@@ -162,10 +164,10 @@ class FacingClearing {
 
 VectorXd facing_contact_error(const SolidMesh& mesh, const Facets<3>& faces,
                               const ContactSurface& surface,
-                              const SurfaceLaw& law,
+                              const ContactLaw<3>& law,
                               const TractionFields& traction,
                               const Ref<const VectorXd>& displacement) {
-  const std::vector<FrictionCone> cones = law_cones(law, surface);
+  const std::vector<FrictionCone> cones = law_cones(law);
   const double rounding = rounding_of_slip(law, displacement);
   VectorXd result = VectorXd::Zero(surface.face_count());
   for (const FacingPolygon& polygon : surface.polygons) {
@@ -190,7 +192,7 @@ VectorXd facing_contact_error(const SolidMesh& mesh, const Facets<3>& faces,
 
 VectorXd facing_admissible_displacement(const Facets<3>& faces,
                                         const ContactSurface& surface,
-                                        const SurfaceLaw& law,
+                                        const ContactLaw<3>& law,
                                         const Ref<const VectorXd>& displacement,
                                         const Flags& prescribed) {
   return FacingClearing(faces, surface, law, displacement, prescribed)
@@ -199,7 +201,7 @@ VectorXd facing_admissible_displacement(const Facets<3>& faces,
 
 VectorXd facing_cleared_between(const Facets<3>& faces,
                                 const ContactSurface& surface,
-                                const SurfaceLaw& law,
+                                const ContactLaw<3>& law,
                                 const Ref<const VectorXd>& displacement,
                                 const Flags& prescribed) {
   return FacingClearing(faces, surface, law, displacement, prescribed)
@@ -208,7 +210,7 @@ VectorXd facing_cleared_between(const Facets<3>& faces,
 
 DeepestNode deepest_facing_node(const Facets<3>& faces,
                                 const ContactSurface& surface,
-                                const SurfaceLaw& law,
+                                const ContactLaw<3>& law,
                                 const Ref<const VectorXd>& displacement) {
   DeepestNode deepest;
   for (const FacingPolygon& polygon : surface.polygons) {
@@ -231,10 +233,10 @@ DeepestNode deepest_facing_node(const Facets<3>& faces,
 
 BetweenNodes facing_between_nodes(const Facets<3>& faces,
                                   const ContactSurface& surface,
-                                  const SurfaceLaw& law,
+                                  const ContactLaw<3>& law,
                                   const TractionFields& traction,
                                   const Ref<const VectorXd>& displacement) {
-  const std::vector<FrictionCone> cones = law_cones(law, surface);
+  const std::vector<FrictionCone> cones = law_cones(law);
   BetweenNodes found;
   for (const FacingPolygon& polygon : surface.polygons) {
     const int m = polygon.contact_face;

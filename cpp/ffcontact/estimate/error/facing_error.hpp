@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ffcontact/base/flags.hpp"
-#include "ffcontact/contact/law/surface_law.hpp"
+#include "ffcontact/contact/law/contact_law.hpp"
 #include "ffcontact/estimate/error/deepest_node.hpp"
 #include "ffcontact/estimate/error/face_fields.hpp"
 
@@ -17,7 +17,7 @@ namespace ffcontact {
 /// contact_error of a surface against another body, by the triangles of each polygon.
 VectorXd facing_contact_error(const SolidMesh& mesh, const Facets<3>& faces,
                               const ContactSurface& surface,
-                              const SurfaceLaw& law,
+                              const ContactLaw<3>& law,
                               const TractionFields& traction,
                               const Ref<const VectorXd>& displacement);
 
@@ -27,27 +27,27 @@ VectorXd facing_contact_error(const SolidMesh& mesh, const Facets<3>& faces,
 /// components; where own vertices are prescribed those of the opposite face give way.
 VectorXd facing_admissible_displacement(const Facets<3>& faces,
                                         const ContactSurface& surface,
-                                        const SurfaceLaw& law,
+                                        const ContactLaw<3>& law,
                                         const Ref<const VectorXd>& displacement,
                                         const Flags& prescribed);
 
 /// The same between the corners (depth_between).
 VectorXd facing_cleared_between(const Facets<3>& faces,
                                 const ContactSurface& surface,
-                                const SurfaceLaw& law,
+                                const ContactLaw<3>& law,
                                 const Ref<const VectorXd>& displacement,
                                 const Flags& prescribed);
 
 /// Where w . n - gap is the largest: the node that has the largest share there.
 DeepestNode deepest_facing_node(const Facets<3>& faces,
                                 const ContactSurface& surface,
-                                const SurfaceLaw& law,
+                                const ContactLaw<3>& law,
                                 const Ref<const VectorXd>& displacement);
 
 /// On all polygons; facets are contact faces.
 BetweenNodes facing_between_nodes(const Facets<3>& faces,
                                   const ContactSurface& surface,
-                                  const SurfaceLaw& law,
+                                  const ContactLaw<3>& law,
                                   const TractionFields& traction,
                                   const Ref<const VectorXd>& displacement);
 

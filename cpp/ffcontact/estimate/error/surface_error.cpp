@@ -6,6 +6,7 @@
 
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/over.hpp"
+#include "ffcontact/contact/law/cones_of_law.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/equilibrium/cone/facet_cone.hpp"
 #include "ffcontact/estimate/bodies/clearing.hpp"
@@ -18,7 +19,7 @@ namespace {
 
 /// Lowers the nodes of each vertex by their depths along their normals, where these are above
 /// 0, by the smallest change.
-void lower(const ContactSurface& surface, const SurfaceLaw& law,
+void lower(const ContactSurface& surface, const ContactLaw<3>& law,
            const VectorXd& depths, const Flags& prescribed, VectorXd& u) {
   const double largest = largest_clearing(law, u);
   std::map<int, std::vector<int>> nodes_of_vertex;
@@ -32,7 +33,8 @@ void lower(const ContactSurface& surface, const SurfaceLaw& law,
 
 /// The largest that the sides of faces that are not clear ask of each node [p].
 VectorXd depths_between(const Facets<3>& faces, const ContactSurface& surface,
-                        const SurfaceLaw& law, const VectorXd& u, bool alone) {
+                        const ContactLaw<3>& law, const VectorXd& u,
+                        bool alone) {
   VectorXd depths = VectorXd::Zero(surface.node_count());
   for (int m = 0; m < surface.face_count(); ++m) {
     const FaceMotion motion = motion_on_face(faces, surface, law, m, {}, u);
@@ -59,7 +61,7 @@ VectorXd contact_error(const std::vector<ContactFacet<3>>& contact,
 }
 
 VectorXd contact_error(const SolidMesh& mesh, const Facets<3>& faces,
-                       const ContactSurface& surface, const SurfaceLaw& law,
+                       const ContactSurface& surface, const ContactLaw<3>& law,
                        const std::vector<ContactFacet<3>>& contact,
                        const TractionFields& traction,
                        const Ref<const VectorXd>& displacement) {
@@ -81,7 +83,7 @@ double cone_violation(const std::vector<ContactFacet<3>>& contact,
 
 VectorXd admissible_displacement(const Facets<3>& faces,
                                  const ContactSurface& surface,
-                                 const SurfaceLaw& law,
+                                 const ContactLaw<3>& law,
                                  const Ref<const VectorXd>& displacement,
                                  const Flags& prescribed) {
   if (surface.against_a_body())
@@ -96,7 +98,7 @@ VectorXd admissible_displacement(const Facets<3>& faces,
 
 VectorXd cleared_between_nodes(const Facets<3>& faces,
                                const ContactSurface& surface,
-                               const SurfaceLaw& law,
+                               const ContactLaw<3>& law,
                                const Ref<const VectorXd>& displacement,
                                const Flags& prescribed) {
   if (!turns(surface)) return displacement;
@@ -114,7 +116,7 @@ VectorXd cleared_between_nodes(const Facets<3>& faces,
 }
 
 DeepestNode deepest_node(const Facets<3>& faces, const ContactSurface& surface,
-                         const SurfaceLaw& law,
+                         const ContactLaw<3>& law,
                          const Ref<const VectorXd>& displacement) {
   if (surface.against_a_body())
     return deepest_facing_node(faces, surface, law, displacement);
@@ -131,12 +133,13 @@ DeepestNode deepest_node(const Facets<3>& faces, const ContactSurface& surface,
 }
 
 BetweenNodes between_nodes(const Facets<3>& faces,
-                           const ContactSurface& surface, const SurfaceLaw& law,
+                           const ContactSurface& surface,
+                           const ContactLaw<3>& law,
                            const TractionFields& tractions,
                            const Ref<const VectorXd>& displacement) {
   if (surface.against_a_body())
     return facing_between_nodes(faces, surface, law, tractions, displacement);
-  const std::vector<FrictionCone> cones = law_cones(law, surface);
+  const std::vector<FrictionCone> cones = law_cones(law);
   BetweenNodes found;
   for (int m = 0; m < surface.face_count(); ++m) {
     const FaceMotion motion =

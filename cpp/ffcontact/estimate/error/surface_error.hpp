@@ -24,7 +24,7 @@ VectorXd contact_error(const std::vector<ContactFacet<3>>& contact,
 /// others that face another body [N mm].
 /// @param displacement  with which the given faces move
 VectorXd contact_error(const SolidMesh& mesh, const Facets<3>& faces,
-                       const ContactSurface& surface, const SurfaceLaw& law,
+                       const ContactSurface& surface, const ContactLaw<3>& law,
                        const std::vector<ContactFacet<3>>& contact,
                        const TractionFields& traction,
                        const Ref<const VectorXd>& displacement);
@@ -39,7 +39,7 @@ double cone_violation(const std::vector<ContactFacet<3>>& contact,
 /// @param prescribed  1 where the dof is prescribed and stays
 VectorXd admissible_displacement(const Facets<3>& faces,
                                  const ContactSurface& surface,
-                                 const SurfaceLaw& law,
+                                 const ContactLaw<3>& law,
                                  const Ref<const VectorXd>& displacement,
                                  const Flags& prescribed);
 
@@ -47,17 +47,18 @@ VectorXd admissible_displacement(const Facets<3>& faces,
 /// (depth_between).
 VectorXd cleared_between_nodes(const Facets<3>& faces,
                                const ContactSurface& surface,
-                               const SurfaceLaw& law,
+                               const ContactLaw<3>& law,
                                const Ref<const VectorXd>& displacement,
                                const Flags& prescribed);
 
 DeepestNode deepest_node(const Facets<3>& faces, const ContactSurface& surface,
-                         const SurfaceLaw& law,
+                         const ContactLaw<3>& law,
                          const Ref<const VectorXd>& displacement);
 
 /// Facets are contact faces.
 BetweenNodes between_nodes(const Facets<3>& faces,
-                           const ContactSurface& surface, const SurfaceLaw& law,
+                           const ContactSurface& surface,
+                           const ContactLaw<3>& law,
                            const TractionFields& tractions,
                            const Ref<const VectorXd>& displacement);
 

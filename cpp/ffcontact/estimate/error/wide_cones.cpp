@@ -13,7 +13,8 @@ namespace ffcontact {
 namespace {
 
 /// Coulomb's coefficient, the least along an edge; 0 of Tresca's law.
-double least_friction(const ContactLine& line, const ContactLaw& law, int e) {
+double least_friction(const ContactLine& line, const ContactLaw<2>& law,
+                      int e) {
   if (law.tresca()) return 0;
   const Matrix2Xd& along = law.between_nodes.least;
   if (along.size() > 0) return along.col(e).minCoeff();
@@ -39,7 +40,7 @@ double mean_slip(const ContactLine& line, const TractionCosts& costs, int e) {
 
 }  // namespace
 
-void clamp_rounding(const ContactLine& line, const ContactLaw& law,
+void clamp_rounding(const ContactLine& line, const ContactLaw<2>& law,
                     ContactDensities& densities) {
   constexpr double rounding = 2e-11;
   const double least = rounding * largest_traction(densities);
@@ -57,7 +58,7 @@ void clamp_rounding(const ContactLine& line, const ContactLaw& law,
   }
 }
 
-bool stays_unloaded(const ContactLine& line, const ContactLaw& law,
+bool stays_unloaded(const ContactLine& line, const ContactLaw<2>& law,
                     const Ref<const VectorXd>& displacement,
                     const ContactDensities& densities,
                     const TractionCosts& costs, int e) {

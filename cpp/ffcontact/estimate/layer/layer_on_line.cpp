@@ -3,7 +3,7 @@
 
 namespace ffcontact {
 
-SpringNorms layer_norms(const ContactLine& line, const ContactLaw& law,
+SpringNorms layer_norms(const ContactLine& line, const ContactLaw<2>& law,
                         const ContactDensities& densities) {
   SpringNorms norms;
   if (!law.layer.given()) return norms;

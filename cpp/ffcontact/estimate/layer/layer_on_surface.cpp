@@ -29,7 +29,7 @@ void add(const CompliantLayer& layer, double area, const BentTraction& r,
 }  // namespace
 
 SpringNorms layer_norms(const Topology<3>& topology,
-                        const ContactSurface& surface, const SurfaceLaw& law,
+                        const ContactSurface& surface, const ContactLaw<3>& law,
                         const TractionFields& traction) {
   SpringNorms norms;
   if (!law.layer.given()) return norms;

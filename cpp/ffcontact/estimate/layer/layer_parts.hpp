@@ -40,17 +40,17 @@ inline Matrix4Xd linear_fields(const BentTraction& traction) {
 }
 
 /// Per contact facet, and int C |r_hat + p|^2 in all; no facets without a layer.
-SpringNorms layer_norms(const ContactLine& line, const ContactLaw& law,
+SpringNorms layer_norms(const ContactLine& line, const ContactLaw<2>& law,
                         const ContactDensities& densities);
 SpringNorms layer_norms(const Topology<3>& topology,
-                        const ContactSurface& surface, const SurfaceLaw& law,
+                        const ContactSurface& surface, const ContactLaw<3>& law,
                         const TractionFields& traction);
 
 /// The same by the moments of contact facets.
 /// @param moments  of all facets, with r_hat
 template <int d>
 std::vector<FacetTerm<d>> layer_terms(
-    const LineOrSurface<d>& contact, const LawOfContact<d>& law,
+    const LineOrSurface<d>& contact, const ContactLaw<d>& law,
     const std::vector<ContactFacet<d>>& facets, const FacetColumns<d>& moments);
 
 }  // namespace ffcontact

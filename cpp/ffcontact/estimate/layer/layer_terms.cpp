@@ -56,7 +56,7 @@ FacetTerm<d> layer_term(const CompliantLayer& layer,
 
 template <int d>
 std::vector<FacetTerm<d>> layer_terms(
-    const LineOrSurface<d>& contact, const LawOfContact<d>& law,
+    const LineOrSurface<d>& contact, const ContactLaw<d>& law,
     const std::vector<ContactFacet<d>>& facets,
     const FacetColumns<d>& moments) {
   std::vector<FacetTerm<d>> terms;
@@ -73,7 +73,7 @@ std::vector<FacetTerm<d>> layer_terms(
 
 template std::vector<FacetTerm<FFCONTACT_DIMENSION>> layer_terms(
     const LineOrSurface<FFCONTACT_DIMENSION>&,
-    const LawOfContact<FFCONTACT_DIMENSION>&,
+    const ContactLaw<FFCONTACT_DIMENSION>&,
     const std::vector<ContactFacet<FFCONTACT_DIMENSION>>&,
     const FacetColumns<FFCONTACT_DIMENSION>&);
 

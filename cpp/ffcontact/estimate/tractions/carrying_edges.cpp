@@ -49,7 +49,7 @@ Carrying carrying(const ConesAtEnds& least, const ConesAtEnds& most,
 }  // namespace
 
 std::vector<Carrying> carrying_edges(const ContactLine& line,
-                                     const ContactLaw& law,
+                                     const ContactLaw<2>& law,
                                      const Ref<const VectorXd>& displacement,
                                      const Ref<const VectorXd>& stiffness,
                                      double largest) {

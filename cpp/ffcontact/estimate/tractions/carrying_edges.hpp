@@ -32,7 +32,7 @@ enum class Carrying : char {
 ///                      it is a part of
 /// @param largest       |r_max| [MPa]
 std::vector<Carrying> carrying_edges(const ContactLine& line,
-                                     const ContactLaw& law,
+                                     const ContactLaw<2>& law,
                                      const Ref<const VectorXd>& displacement,
                                      const Ref<const VectorXd>& stiffness,
                                      double largest);

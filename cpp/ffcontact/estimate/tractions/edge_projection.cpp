@@ -86,7 +86,8 @@ Matrix4d mass_of(const ContactLine& line, int e) {
   return line.length[e] / 6 * mass;
 }
 
-EdgeProjection::EdgeProjection(const ContactLine& line, const ContactLaw& law,
+EdgeProjection::EdgeProjection(const ContactLine& line,
+                               const ContactLaw<2>& law,
                                const MatrixXd& motions, int e,
                                Carrying carrying)
     : line_(line),

@@ -27,7 +27,7 @@ Matrix4d mass_of(const ContactLine& line, int e);
 class EdgeProjection {
  public:
   /// @param line, law  stay where they are
-  EdgeProjection(const ContactLine& line, const ContactLaw& law,
+  EdgeProjection(const ContactLine& line, const ContactLaw<2>& law,
                  const MatrixXd& motions, int e,
                  Carrying carrying = Carrying::any);
 
@@ -59,7 +59,7 @@ class EdgeProjection {
   MatrixXd moving_on_face(const std::vector<int>& held) const;
 
   const ContactLine& line_;
-  const ContactLaw& law_;
+  const ContactLaw<2>& law_;
   int edge_;
   EdgeCone cone_;
   Matrix4d mass_;

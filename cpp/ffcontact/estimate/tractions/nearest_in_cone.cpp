@@ -22,7 +22,8 @@ constexpr int most_steps = 100;
 
 using EdgeProjections = std::vector<EdgeProjection>;
 
-EdgeProjections edge_projections(const ContactLine& line, const ContactLaw& law,
+EdgeProjections edge_projections(const ContactLine& line,
+                                 const ContactLaw<2>& law,
                                  const MatrixXd& motions,
                                  const std::vector<Carrying>& carrying) {
   EdgeProjections edges;
@@ -112,7 +113,7 @@ std::optional<Dual::Point> minimum(const Dual& dual, double length) {
 }  // namespace
 
 std::optional<ContactDensities> nearest_in_cone(
-    const ContactLine& line, const ContactLaw& law,
+    const ContactLine& line, const ContactLaw<2>& law,
     const ContactDensities& densities, const MatrixXd& motions,
     const VectorXd& resultants, const std::vector<Carrying>& carrying) {
   const double length = line.length.sum();

@@ -23,7 +23,7 @@ namespace ffcontact {
 /// @param carrying    what each edge may carry; none: all of the cone
 /// @return nothing if there are no such tractions
 std::optional<ContactDensities> nearest_in_cone(
-    const ContactLine& line, const ContactLaw& law,
+    const ContactLine& line, const ContactLaw<2>& law,
     const ContactDensities& densities, const MatrixXd& motions,
     const VectorXd& resultants, const std::vector<Carrying>& carrying = {});
 

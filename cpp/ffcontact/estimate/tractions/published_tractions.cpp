@@ -40,7 +40,7 @@ bool is_skew(const Mesh& mesh, const ContactLine& line, int e) {
 }  // namespace
 
 ConeCorrection published_tractions(const Mesh& mesh, const ContactLine& line,
-                                   const ContactLaw& law,
+                                   const ContactLaw<2>& law,
                                    const ContactDensities& computed) {
   ConeCorrection correction = correct_to_cone(line, law, computed);
   for (int e = 0; e < line.edge_count(); ++e) {

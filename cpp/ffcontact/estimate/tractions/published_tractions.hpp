@@ -9,7 +9,7 @@ namespace ffcontact {
 /// is not that of the edge (given directions), a shift d of r_t has the moment d l/6
 /// times the edge's part along n: such an edge is listed as uncorrected.
 ConeCorrection published_tractions(const Mesh& mesh, const ContactLine& line,
-                                   const ContactLaw& law,
+                                   const ContactLaw<2>& law,
                                    const ContactDensities& computed);
 
 }  // namespace ffcontact

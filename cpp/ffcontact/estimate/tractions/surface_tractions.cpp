@@ -6,6 +6,7 @@
 
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/law/bounded_friction.hpp"
+#include "ffcontact/contact/law/cones_of_law.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/estimate/bodies/clearing.hpp"
 #include "ffcontact/estimate/tractions/cone_projection.hpp"
@@ -102,7 +103,7 @@ class SurfaceDual {
 };
 
 /// Nodes that touch the foundation and that supports hold along their normals.
-Flags held_in_contact(const SurfaceLaw& law, const ContactSurface& surface,
+Flags held_in_contact(const ContactLaw<3>& law, const ContactSurface& surface,
                       const VectorXd& displacement, const Flags& prescribed) {
   constexpr double rounding = 1e-10;
   const double touching = -rounding * largest_displacement(law, displacement);
@@ -148,15 +149,16 @@ VectorXd areas_over_projected(const ContactSurface& surface) {
 
 }  // namespace
 
-std::vector<FrictionCone> traction_cones(const SurfaceLaw& law,
+std::vector<FrictionCone> traction_cones(const ContactLaw<3>& law,
                                          const ContactSurface& surface) {
-  std::vector<FrictionCone> cones = law_cones(law, surface);
+  std::vector<FrictionCone> cones = law_cones(law);
   for (FrictionCone& cone : cones)
     cone.friction = bounded_friction(cone.friction);
   return cones;
 }
 
-Matrix3Xd lumped_tractions(const SurfaceLaw& law, const ContactSurface& surface,
+Matrix3Xd lumped_tractions(const ContactLaw<3>& law,
+                           const ContactSurface& surface,
                            const Ref<const Matrix3Xd>& force) {
   const std::vector<FrictionCone> cones = traction_cones(law, surface);
   const VectorXd larger = areas_over_projected(surface);
@@ -168,7 +170,7 @@ Matrix3Xd lumped_tractions(const SurfaceLaw& law, const ContactSurface& surface,
   return traction;
 }
 
-Matrix3Xd continued_tractions(const SurfaceLaw& law,
+Matrix3Xd continued_tractions(const ContactLaw<3>& law,
                               const ContactSurface& surface,
                               const VectorXd& displacement,
                               const Flags& prescribed, Matrix3Xd traction) {
@@ -211,7 +213,7 @@ VectorXd resultants_of(const SolidMesh& mesh, const Facets<3>& faces,
 std::optional<Matrix3Xd> nearest_in_cone(const SolidMesh& mesh,
                                          const Facets<3>& faces,
                                          const ContactSurface& surface,
-                                         const SurfaceLaw& law,
+                                         const ContactLaw<3>& law,
                                          const Ref<const Matrix3Xd>& traction,
                                          const MatrixXd& motions,
                                          const VectorXd& resultants) {
@@ -230,7 +232,7 @@ std::optional<Matrix3Xd> nearest_in_cone(const SolidMesh& mesh,
   return Matrix3Xd(closest.r.reshaped(3, traction.cols()));
 }
 
-double cone_violation(const SurfaceLaw& law, const ContactSurface& surface,
+double cone_violation(const ContactLaw<3>& law, const ContactSurface& surface,
                       const Ref<const Matrix3Xd>& traction) {
   const std::vector<FrictionCone> cones = traction_cones(law, surface);
   double largest = 0;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ffcontact/base/flags.hpp"
-#include "ffcontact/contact/law/surface_law.hpp"
+#include "ffcontact/contact/law/cones_of_law.hpp"
 
 namespace ffcontact {
 
@@ -23,12 +23,13 @@ inline Matrix3d of_face(const SurfaceTractions& tractions, Index m) {
 
 /// The cones of tractions at the nodes [MPa] that r_hat keeps to (bounded_friction); e pays
 /// for law_cones.
-std::vector<FrictionCone> traction_cones(const SurfaceLaw& law,
+std::vector<FrictionCone> traction_cones(const ContactLaw<3>& law,
                                          const ContactSurface& surface);
 
 /// F_i / A_i of nodal forces, in the cone where they are but for rounding. Keeps their
 /// resultant on a plane; where normals turn A_i is that seen along the node's.
-Matrix3Xd lumped_tractions(const SurfaceLaw& law, const ContactSurface& surface,
+Matrix3Xd lumped_tractions(const ContactLaw<3>& law,
+                           const ContactSurface& surface,
                            const Ref<const Matrix3Xd>& force);
 
 /// Where supports hold a node that touches the foundation along its normal, the forces on
@@ -37,7 +38,7 @@ Matrix3Xd lumped_tractions(const SurfaceLaw& law, const ContactSurface& surface,
 /// them are held, that of those which have one by now.
 /// @param displacement  on all dofs [mm]
 /// @param prescribed    1 where the dof is prescribed
-Matrix3Xd continued_tractions(const SurfaceLaw& law,
+Matrix3Xd continued_tractions(const ContactLaw<3>& law,
                               const ContactSurface& surface,
                               const VectorXd& displacement,
                               const Flags& prescribed, Matrix3Xd traction);
@@ -62,13 +63,13 @@ VectorXd resultants_of(const SolidMesh& mesh, const Facets<3>& faces,
 std::optional<Matrix3Xd> nearest_in_cone(const SolidMesh& mesh,
                                          const Facets<3>& faces,
                                          const ContactSurface& surface,
-                                         const SurfaceLaw& law,
+                                         const ContactLaw<3>& law,
                                          const Ref<const Matrix3Xd>& traction,
                                          const MatrixXd& motions,
                                          const VectorXd& resultants);
 
 /// Largest of r_n and |r_t| less its bound at the nodes [MPa]; 0 in the cone.
-double cone_violation(const SurfaceLaw& law, const ContactSurface& surface,
+double cone_violation(const ContactLaw<3>& law, const ContactSurface& surface,
                       const Ref<const Matrix3Xd>& traction);
 
 }  // namespace ffcontact

@@ -61,7 +61,7 @@ double part_missed(const ContactLine& line, const HeldMotions& held,
 /// the loads, or, where these are on the boundary of what the cone allows and leave it by
 /// their rounding, as little as it takes towards those of the contact forces.
 std::optional<Candidate> candidate(const ContactLine& line,
-                                   const ContactLaw& law,
+                                   const ContactLaw<2>& law,
                                    const HeldMotions& held,
                                    const ContactDensities& near,
                                    const std::vector<Carrying>& carrying) {

@@ -2,25 +2,11 @@
 #pragma once
 
 #include <algorithm>
-#include <vector>
 
 #include "ffcontact/base/eigen.hpp"
-#include "ffcontact/contact/condensed/condensed_contact.hpp"
+#include "ffcontact/elastic/elastic_system.hpp"
 
 namespace ffcontact {
-
-/// A displacement on all dofs and the multipliers of all rows 2 i + c [2 p].
-struct BodyAnswer {
-  VectorXd displacement, P;
-};
-
-/// The law on a layer that carries the multipliers of an answer.
-ContactLaw on_layer(const ContactLine& line, const ContactLaw& law,
-                    const HeldRows& held, const BodyAnswer& answer);
-
-/// Contact forces W P at the nodes [2 x p].
-Matrix2Xd nodal_forces_of(const ContactLine& line, const ContactLaw& law,
-                          const VectorXd& P);
 
 /// b + contact forces - K u on the free dofs, 0 on the others.
 VectorXd force_residual(const ElasticSystem& system,
@@ -47,21 +33,5 @@ struct ResidualDefect {
 ResidualDefect residual_defect(const ElasticSystem& system,
                                const VectorXd& displacement,
                                const VectorXd& contact_load, double apart);
-
-/// The same of an answer on a contact line.
-ResidualDefect residual_defect(const ContactLine& line, const ContactLaw& law,
-                               const ElasticSystem& system,
-                               const HeldRows& held, const BodyAnswer& answer);
-
-/// One step of iterative refinement with the states kept: the residual and the
-/// displacements that the states forbid are taken for the loads of a correction
-/// (with_loads), which solve_active_set finds without bounds of its own.
-/// @param state  the states that the answer was solved for [p]
-/// @return the answer itself if the states leave a motion free
-BodyAnswer refined(const ContactLine& line, const ContactLaw& law,
-                   const ElasticSystem& system,
-                   const CondensedStiffness& stiffness,
-                   const CondensedContact& contact, const ContactStates& state,
-                   const BodyAnswer& answer);
 
 }  // namespace ffcontact

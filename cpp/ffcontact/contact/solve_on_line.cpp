@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/checks/balance.hpp"
+#include "ffcontact/contact/checks/feasibility.hpp"
+#include "ffcontact/contact/checks/line_balance.hpp"
+#include "ffcontact/contact/checks/unheld_bodies.hpp"
+#include "ffcontact/contact/condensed_answer.hpp"
+#include "ffcontact/contact/corrected_answer.hpp"
+#include "ffcontact/contact/law/nodal_pressures.hpp"
+#include "ffcontact/contact/line_relation.hpp"
+#include "ffcontact/contact/solve_contact.hpp"
+
+namespace ffcontact {
+
+namespace {
+
+void require_sound(const Mesh& mesh, const ContactLine& line,
+                   const ContactLaw<2>& law, const ElasticSystem& system,
+                   const ContactSettings& settings) {
+  require_valid(law, line);
+  require_size("A", system.dof_count(), 2 * mesh.vertices.cols());
+  require_valid(settings, line.node_count());
+  require_feasible(mesh, line, law, system);
+  require_balance(mesh, line, law, system);
+}
+
+}  // namespace
+
+ContactSolution<2> solve_contact(const Mesh& mesh, const ContactLine& line,
+                                 const ContactLaw<2>& law,
+                                 const ElasticSystem& system,
+                                 const ContactSettings& settings) {
+  require_sound(mesh, line, law, system, settings);
+  const StatedContact<2> stated = stated_on_line(line, law, system, settings);
+  const auto stiffness =
+      prepared_stiffness(contact_dofs(line, system), system, settings);
+  const auto contact = held_or_refused(mesh, line, system, [&] {
+    return std::make_shared<const CondensedContact>(condensed_contact(
+        line, law, system, *stiffness, {}, unheld_motions(mesh, system)));
+  });
+  CorrectedAnswer<2> answer(stated,
+                            line_relation(stated, *contact, *stiffness));
+  answer.correct();
+  ContactSolution<2> solution = answer.solution(mesh);
+  const Matrix2Xd P = answer.multipliers().reshaped(2, line.node_count());
+  solution.pressure = law.multiplier == Multiplier::pressure
+                          ? P
+                          : consistent_pressures(line, system.prescribed, P);
+  solution.stiffness = stiffness;
+  solution.contact = contact;
+  return solution;
+}
+
+}  // namespace ffcontact
