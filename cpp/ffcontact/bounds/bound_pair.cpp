@@ -2,7 +2,9 @@
 #include "ffcontact/bounds/bound_pair.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/equilibrium/stress/johnson_mercier.hpp"
@@ -159,6 +161,20 @@ VectorXd positive_shares(const VectorXd& local) {
 }  // namespace
 
 template <int d>
+BoundPair<d> pair_of(const MatchedBodies<d>& bodies, const SolvedBody<d>& body,
+                     const Estimate<d>& estimate) {
+  std::vector<SubcellStress<d>> tau;
+  for (int t = 0; t < bodies.topology().mesh.cell_count(); ++t)
+    tau.push_back(stress_of(bodies.topology(), estimate, body, t));
+  return {estimate.displacement,
+          std::move(tau),
+          facet_densities(estimate),
+          std::max(estimate.equilibrium.largest(), estimate.cone),
+          estimate.spring_tractions,
+          estimate.oscillation};
+}
+
+template <int d>
 double energy_of(const MatchedBodies<d>& bodies, const VectorXd& v) {
   const LinearStresses<d> sigma =
       total_stresses(bodies.topology().mesh, bodies.body(), v);
@@ -212,6 +228,10 @@ VectorXd width_of_cells(const MatchedBodies<d>& bodies,
   return coulomb ? positive_shares(local) : local;
 }
 
+template BoundPair<FFCONTACT_DIMENSION> pair_of(
+    const MatchedBodies<FFCONTACT_DIMENSION>&,
+    const SolvedBody<FFCONTACT_DIMENSION>&,
+    const Estimate<FFCONTACT_DIMENSION>&);
 template double energy_of(const MatchedBodies<FFCONTACT_DIMENSION>&,
                           const VectorXd&);
 template VectorXd error_of(const MatchedBodies<FFCONTACT_DIMENSION>&,

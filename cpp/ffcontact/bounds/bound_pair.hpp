@@ -23,6 +23,11 @@ struct BoundPair {
   double oscillation = 0;
 };
 
+/// Of an estimate of a body.
+template <int d>
+BoundPair<d> pair_of(const MatchedBodies<d>& bodies, const SolvedBody<d>& body,
+                     const Estimate<d>& estimate);
+
 /// What bounds with Coulomb's law are made of beside the pair [theory_of_bounds.md]: a pair
 /// (u_hat, sigma_hat, r_hat) that is known, of which mu kappa bounds the distances to the
 /// solution. Tresca's law with the bound mu |r_hat_n| is that of the bodies then, rho is in

@@ -8,6 +8,7 @@
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/law/friction_cone.hpp"
+#include "ffcontact/contact/residual_defect.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
@@ -117,15 +118,6 @@ ContactLaw<2> without_bound(ContactLaw<2> law) {
   return law;
 }
 
-BoundPair<2> pair_of(const Estimate<2>& estimate) {
-  return {estimate.displacement,
-          estimate.stress,
-          estimate.tractions,
-          std::max(estimate.equilibrium.largest(), estimate.cone),
-          estimate.spring_tractions,
-          estimate.oscillation};
-}
-
 }  // namespace
 
 void require_coulomb_covered(const SolvedProblem<2>& solved,
@@ -184,12 +176,26 @@ CoulombTerms<2> coulomb_terms(const MatchedBodies<2>& bodies,
                               const Estimate<2>& first, double share) {
   const Matrix2Xd none = Matrix2Xd::Zero(2, bodies.contact().edge_count());
   const ContactLaw<2>& law = bodies.body().law;
-  BoundPair<2> known = pair_of(first);
+  BoundPair<2> known = pair_of(bodies, bodies.body(), first);
   VectorXd friction =
       twice_psi<2>(bodies, law, first.displacement, {none, none});
   VectorXd error = error_of(bodies, known);
   return {share, std::move(known), without_bound(law), std::move(friction),
           std::move(error)};
+}
+
+BoundedQuantity<2> with_coulombs_law(BoundedQuantity<2> bounded,
+                                     const ContactLaw<2>& law, double share) {
+  const auto& [topology, line, system, body] = bounded.solved;
+  const Estimate<2>& first = bounded.first;
+  const VectorXd& u_hat = first.displacement;
+  const VectorXd none = VectorXd::Zero(u_hat.size());
+  bounded.coulomb = coulomb_terms(bounded.bodies, first, share);
+  bounded.sought = bounded.clear = conditions_of_coulomb(line, law, u_hat);
+  bounded.further_load =
+      share * (nodal_forces<2>(bounded.bodies, first.tractions) -
+               force_residual(system, u_hat, none));
+  return bounded;
 }
 
 }  // namespace ffcontact

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/bounds/bound_pair.hpp"
+#include "ffcontact/bounds/bounded_quantity.hpp"
 
 namespace ffcontact {
 
@@ -30,5 +30,13 @@ ContactConditions<2> conditions_of_coulomb(const ContactLine& line,
 /// @param share   mu kappa < 1
 CoulombTerms<2> coulomb_terms(const MatchedBodies<2>& bodies,
                               const Estimate<2>& first, double share);
+
+/// v keeps to conditions_of_coulomb, and is sought under m (a(u_hat, .) - L + r_hat) beside
+/// L - t l - rho.
+/// @param bounded  under with_bound_of
+/// @param law      Coulomb's
+/// @param share    m = mu kappa < 1
+BoundedQuantity<2> with_coulombs_law(BoundedQuantity<2> bounded,
+                                     const ContactLaw<2>& law, double share);
 
 }  // namespace ffcontact

@@ -7,13 +7,11 @@
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/base/words.hpp"
-#include "ffcontact/bounds/bound_pair.hpp"
 #include "ffcontact/bounds/boundable_problem.hpp"
+#include "ffcontact/bounds/bounds_by_turns.hpp"
 #include "ffcontact/bounds/coulomb_on_line.hpp"
 #include "ffcontact/bounds/longest_step.hpp"
 #include "ffcontact/bounds/step_search.hpp"
-#include "ffcontact/contact/residual_defect.hpp"
-#include "ffcontact/contact/solve_contact.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "ffcontact/linear/norms.hpp"
 
@@ -24,10 +22,6 @@ namespace {
 /// A step that is too long for any equilibrium is shortened so often, by this factor.
 constexpr int most_shortenings = 6;
 constexpr double shortening = 4;
-constexpr Index most_dofs_of_a_factor = 200000;
-constexpr double share_of_rounding = 1e-14;
-/// That is rounding beside the largest displacement.
-constexpr double penetration = 1e-12;
 
 void require_valid(const BoundSettings& settings) {
   if (settings.steps < 1 || settings.turns < 1)
@@ -36,246 +30,147 @@ void require_valid(const BoundSettings& settings) {
   require_valid(settings.relaxation);
 }
 
+/// Both bounds at a step; infinite where there are none, for a reason.
 template <int d>
-class BoundsByTurns {
+struct BoundsOfStep {
+  OneBound<d> plus, minus;
+  std::string reason{};
+
+  double step() const { return plus.t; }
+  double width() const { return plus.value + minus.value; }
+  bool found() const { return std::isfinite(width()); }
+};
+
+/// @return why it was refused; nothing if it was not
+template <class Run>
+std::string reason_against(const Run& run) {
+  try {
+    run();
+    return "";
+  } catch (const Refusal& refusal) {
+    return refusal.what();
+  } catch (const Failure& failure) {
+    return failure.what();
+  }
+}
+
+/// Looks for the narrowest bounds.
+template <int d>
+class SearchOfBounds {
  public:
-  BoundsByTurns(const SolvedProblem<d>& solved, const Estimate<d>& first,
-                const Quantity<d>& quantity, const BoundSettings& settings)
-      : solved_(solved),
-        bodies_(solved),
-        first_(first),
-        quantity_(quantity),
-        matched_(matched(quantity)),
-        settings_(settings),
-        load_(load_of(solved.topology.mesh, quantity)),
-        matched_load_(load_of(bodies_.topology().mesh, matched_)),
-        system_(solved.system),
-        stress_(std::sqrt(energy_of(bodies_, bodies_.body().displacement))),
-        sought_{solved.contact, with_twice_the_bound<d>(solved.body.law)},
-        clear_{bodies_.contact(), bodies_.body().law},
-        further_load_(VectorXd::Zero(load_.size())) {
-    settings_.contact.stiffness = solved.body.stiffness;
-  }
+  SearchOfBounds(const BoundedQuantity<d>& bounded,
+                 const BoundSettings& settings)
+      : settings_(settings),
+        turns_(bounded, settings.contact),
+        longest_(longest_step(bounded.solved.system, turns_.factor(),
+                              on_free_dofs(bounded.solved.system, bounded.load),
+                              bounded.stress)) {}
 
-  QuantityBounds none_as(std::string reason) const {
-    QuantityBounds bounds = none(0);
-    bounds.reason = std::move(reason);
-    return bounds;
-  }
-
-  /// Of bodies whose law is with_bound_of.
-  /// @param law  Coulomb's
-  void put_coulomb(const ContactLaw<d>& law) {
-    const VectorXd& u_hat = first_.displacement;
-    coulomb_ = coulomb_terms(bodies_, first_, *settings_.friction_share);
-    sought_ = clear_ = conditions_of_coulomb(solved_.contact, law, u_hat);
-    further_load_ = coulomb_->share *
-                    (nodal_forces<d>(bodies_, facet_densities(first_)) -
-                     force_residual(solved_.system, u_hat, further_load_));
-  }
-
-  QuantityBounds bounds() {
-    const VectorXd free = on_free_dofs(solved_.system, load_);
-    const std::string reason = reason_against(free);
-    if (!reason.empty()) return none_as(reason);
-    factorise();
-    longest_ = longest_step(solved_.system, settings_.contact.stiffness.get(),
-                            free, stress_);
-    return narrowest();
+  BoundsOfStep<d> narrowest() {
+    BoundsOfStep<d> best = first();
+    return best.found() ? polished(narrowest_from(std::move(best))) : best;
   }
 
  private:
-  /// The quantity on bodies whose traces match.
-  Quantity<d> matched(const Quantity<d>& quantity) const {
-    SolvedBody<d> body = solved_.body;
-    body.neumann = quantity.tractions;
-    body.body_loads = quantity.body_loads;
-    body.initial = quantity.stress;
-    body = bodies_.matched(body);
-    return {body.body_loads, body.initial, body.neumann, quantity.constant};
+  OneBound<d> one_bound(double t) {
+    return turns_.bound(t, settings_.turns, settings_.relaxation);
   }
 
-  std::string reason_against(const VectorXd& free) const {
-    if (free.isZero(0))
-      return "no free vertex of the mesh moves it: prescribed displacements "
-             "say what it is, or the mesh is too coarse";
-    return stress_ == 0 ? "the loads make no stresses" : "";
-  }
-
-  /// There are no bounds at a step yet.
-  QuantityBounds none(double s) const {
-    QuantityBounds bounds;
-    bounds.value = of(bodies_.body().displacement);
-    bounds.step = s;
+  BoundsOfStep<d> at(double s) {
+    BoundsOfStep<d> bounds{{s}, {-s}};
+    bounds.reason = reason_against([&] {
+      bounds.plus = one_bound(s);
+      bounds.minus = one_bound(-s);
+    });
     return bounds;
   }
 
-  double of(const VectorXd& v) const {
-    return matched_load_.dot(v) + matched_.constant;
-  }
-
-  /// What multigrid has solved: bounds take dozens of contact problems with one matrix, and a
-  /// factor pays where it has room.
-  void factorise() {
-    if (settings_.contact.stiffness ||
-        free_dof_count(system_) > most_dofs_of_a_factor)
-      return;
-    settings_.contact.linear = LinearSolver::direct;
-    solution({solved_.contact, solved_.body.law}, VectorXd::Zero(load_.size()));
-  }
-
-  /// What the terms of l(v) and what is missed of equilibrium may add to a bound.
-  double rounding_of(const BoundPair<d>& pair, double s) const {
-    const double terms = matched_load_.cwiseAbs().dot(pair.v.cwiseAbs());
-    return share_of_rounding * terms +
-           std::max(share_of_rounding, pair.defect) * stress_ * stress_ / s;
-  }
-
-  QuantityBounds narrowest() {
-    QuantityBounds best = none(0);
+  /// At the first step that is short enough.
+  BoundsOfStep<d> first() {
     double s = longest_ / 4;
-    for (int k = 0; k <= most_shortenings; ++k, s /= shortening) {
-      best = at(s);
-      if (best.found()) return searched(best);
+    BoundsOfStep<d> bounds = at(s);
+    for (int k = 0; k < most_shortenings && !bounds.found(); ++k)
+      bounds = at(s /= shortening);
+    return bounds;
+  }
+
+  /// At this step and those that StepSearch has tried from it.
+  BoundsOfStep<d> narrowest_from(BoundsOfStep<d> best) {
+    StepSearch search(longest_);
+    search.add(best.step(), best.width());
+    double s = search.next();
+    for (int k = 1; s > 0 && k < settings_.steps; ++k) {
+      BoundsOfStep<d> bounds = at(s);
+      if (!bounds.found()) break;
+      search.add(s, bounds.width());
+      if (bounds.width() < best.width()) best = std::move(bounds);
+      s = search.next();
     }
     return best;
   }
 
-  /// From the bounds of a first step on.
-  QuantityBounds searched(QuantityBounds best) {
-    StepSearch search(longest_);
-    search.add(best.step, best.width());
-    double s = search.next();
-    for (int k = 1; s > 0 && k < settings_.steps; ++k) {
-      const QuantityBounds bounds = at(s);
-      if (!bounds.found()) break;
-      search.add(s, bounds.width());
-      if (bounds.width() < best.width()) best = bounds;
-      s = search.next();
-    }
-    return polished(best);
-  }
-
-  /// With a further turn, and twice as many sweeps.
-  QuantityBounds polished(const QuantityBounds& best) {
+  /// With a further turn, and twice as many sweeps, if these are narrower.
+  BoundsOfStep<d> polished(BoundsOfStep<d> best) {
     ++settings_.turns;
     settings_.relaxation = with_twice_the_sweeps(settings_.relaxation);
-    const QuantityBounds bounds = at(best.step);
+    BoundsOfStep<d> bounds = at(best.step());
     return bounds.width() < best.width() ? bounds : best;
   }
 
-  QuantityBounds at(double s) {
-    QuantityBounds bounds = none(s);
-    try {
-      put_bounds(bounds);
-    } catch (const Refusal& refusal) {
-      bounds.reason = refusal.what();
-    } catch (const Failure& failure) {
-      bounds.reason = failure.what();
-    }
-    return bounds;
-  }
-
-  void put_bounds(QuantityBounds& bounds) {
-    const double s = bounds.step;
-    const BoundPair<d> plus = pair(s), minus = pair(-s);
-    const double above = rounding_of(plus, s), below = rounding_of(minus, s);
-    const CoulombTerms<d>* coulomb = coulomb_ ? &*coulomb_ : nullptr;
-    bounds.upper = of(plus.v) + excess(bodies_, plus, s, coulomb) + above;
-    bounds.lower = of(minus.v) - excess(bodies_, minus, s, coulomb) - below;
-    bounds.local =
-        bodies_.sums_of_parts(width_of_cells(bodies_, plus, minus, s, coulomb))
-            .array() +
-        (above + below) / solved_.topology.mesh.cell_count();
-  }
-
-  BoundPair<d> pair(double t) {
-    BoundPair<d> pair;
-    pair.rho = facet_densities(first_);
-    for (int turn = 0; turn < settings_.turns; ++turn) {
-      pair.v = displacement_for(t, pair.rho);
-      put_stress_for(t, pair);
-    }
-    pair.v = displacement_for(t, pair.rho);
-    return pair;
-  }
-
-  /// v minimises the bound for rho, but for the rounding that keeps it clear.
-  VectorXd displacement_for(double t, const FacetDensities<d>& rho) {
-    const auto found =
-        solution(sought_, further_load_ - t * load_ -
-                              VectorXd(nodal_forces<d>(bodies_, rho)));
-    VectorXd v =
-        cleared<d>(bodies_, clear_, bodies_.fields(found.displacement));
-    if (depth_of<d>(bodies_, clear_, v) > penetration * max_norm(v))
-      refuse("no displacement that keeps clear was found");
-    return v;
-  }
-
-  /// tau and rho that nearly minimise the bound for v.
-  void put_stress_for(double t, BoundPair<d>& pair) {
-    const SolvedBody<d> body = loaded_body(t, pair.v);
-    EstimateSettings<d> settings;
-    settings.relaxation = settings_.relaxation;
-    const Estimate<d> estimate = estimate_error<d>(
-        solved_.topology, solved_.contact, solved_.system, body, settings);
-    if (!estimate.admissible) refuse(estimate.reason);
-    pair.defect = std::max(estimate.equilibrium.largest(), estimate.cone);
-    pair.rho = facet_densities(estimate);
-    pair.springs = estimate.spring_tractions;
-    pair.oscillation = estimate.oscillation;
-    pair.tau.resize(bodies_.topology().mesh.cell_count());
-    for (std::size_t k = 0; k < pair.tau.size(); ++k)
-      pair.tau[k] = stress_in(static_cast<int>(k), t, body, estimate);
-  }
-
-  SubcellStress<d> stress_in(int cell, double t, const SolvedBody<d>& body,
-                             const Estimate<d>& estimate) const {
-    SubcellStress<d> stress = stress_of(solved_.topology, estimate, body, cell);
-    if (!matched_.stress.empty())
-      stress += t * subcell_values<d>(matched_.stress.at_vertices(cell));
-    return stress;
-  }
-
-  /// Contact under L + t l, reflected at v, whose vertices of the solved bodies come first; q counts as an initial stress.
-  SolvedBody<d> loaded_body(double t, const VectorXd& v) {
-    SolvedBody<d> loaded = solved_.body;
-    loaded.neumann += t * quantity_.tractions;
-    loaded.body_loads += t * quantity_.body_loads;
-    loaded.initial = loaded.initial + -t * quantity_.stress;
-    loaded.law = reflected<d>(solved_, v.head(load_.size()));
-    const auto found = solution({solved_.contact, loaded.law}, t * load_);
-    loaded.displacement = found.displacement;
-    loaded.multipliers = multipliers_of(found);
-    return loaded;
-  }
-
-  /// Under further loads.
-  auto solution(const ContactConditions<d>& of, const VectorXd& more) {
-    system_.load =
-        solved_.system.load + on_free_dofs(solved_.system, VectorXd(more));
-    auto found = solve_contact(solved_.topology.mesh, of.contact, of.law,
-                               system_, settings_.contact);
-    settings_.contact.stiffness = found.stiffness;
-    return found;
-  }
-
-  const SolvedProblem<d>& solved_;
-  MatchedBodies<d> bodies_;
-  const Estimate<d>& first_;
-  const Quantity<d>& quantity_;
-  Quantity<d> matched_;  ///< the quantity on the matched bodies
   BoundSettings settings_;
-  VectorXd load_;  ///< l of the hat functions of the solved bodies
-  VectorXd matched_load_;
-  ElasticSystem system_;  ///< with other loads
-  double stress_;         ///< |sigma_h|
-  /// under which v is sought, and which it keeps to on the matched bodies
-  ContactConditions<d> sought_, clear_;
-  VectorXd further_load_;  ///< under which v is sought
-  std::optional<CoulombTerms<d>> coulomb_{};
-  double longest_ = 0;
+  BoundsByTurns<d> turns_;
+  double longest_;
 };
+
+template <int d>
+QuantityBounds none(const BoundedQuantity<d>& bounded, std::string reason) {
+  QuantityBounds bounds;
+  bounds.value = bounded.of_solution();
+  bounds.reason = std::move(reason);
+  return bounds;
+}
+
+template <int d>
+VectorXd contributions(const BoundedQuantity<d>& bounded,
+                       const BoundsOfStep<d>& bounds) {
+  const auto& [plus, minus, reason] = bounds;
+  const VectorXd of_cells =
+      width_of_cells(bounded.bodies, plus.pair, minus.pair, bounds.step(),
+                     bounded.coulomb_terms());
+  return bounded.bodies.sums_of_parts(of_cells).array() +
+         (plus.rounding + minus.rounding) /
+             bounded.solved.topology.mesh.cell_count();
+}
+
+template <int d>
+QuantityBounds narrowest_bounds(const BoundedQuantity<d>& bounded,
+                                const BoundSettings& settings) {
+  const BoundsOfStep<d> best = SearchOfBounds<d>(bounded, settings).narrowest();
+  QuantityBounds bounds = none(bounded, best.reason);
+  bounds.step = best.step();
+  if (!best.found()) return bounds;
+  bounds.upper = best.plus.value;
+  bounds.lower = -best.minus.value;
+  bounds.local = contributions(bounded, best);
+  return bounds;
+}
+
+/// @return nothing if there may be bounds
+template <int d>
+std::string reason_for_none(const BoundedQuantity<d>& bounded) {
+  if (on_free_dofs(bounded.solved.system, bounded.load).isZero(0))
+    return "no free vertex of the mesh moves it: prescribed displacements "
+           "say what it is, or the mesh is too coarse";
+  return bounded.stress == 0 ? "the loads make no stresses" : "";
+}
+
+template <int d>
+QuantityBounds bounds_of(const BoundedQuantity<d>& bounded,
+                         const BoundSettings& settings) {
+  const std::string reason = reason_for_none(bounded);
+  return reason.empty() ? narrowest_bounds(bounded, settings)
+                        : none(bounded, reason);
+}
 
 template <int d>
 QuantityBounds bounds_with_coulomb(const SolvedProblem<d>& solved,
@@ -287,13 +182,12 @@ QuantityBounds bounds_with_coulomb(const SolvedProblem<d>& solved,
   SolvedBody<d> known = body;
   known.law = with_bound_of(body.law, contact, first.tractions);
   const SolvedProblem<d> problem{topology, contact, system, known};
-  BoundsByTurns<d> bounds(problem, first, quantity, settings);
+  const BoundedQuantity<d> bounded = bounded_quantity(problem, first, quantity);
   const double share = *settings.friction_share;
   if (!(share < 1))
-    return bounds.none_as("mu kappa is " + in_digits(share) +
-                          ", and Coulomb's law has bounds below 1 alone");
-  bounds.put_coulomb(body.law);
-  return bounds.bounds();
+    return none(bounded, "mu kappa is " + in_digits(share) +
+                             ", and Coulomb's law has bounds below 1 alone");
+  return bounds_of(with_coulombs_law(bounded, body.law, share), settings);
 }
 
 }  // namespace
@@ -308,7 +202,7 @@ QuantityBounds quantity_bounds(const SolvedProblem<d>& solved,
   if constexpr (d == 2)
     if (is_coulombs<2>(solved.body.law))
       return bounds_with_coulomb<d>(solved, first, quantity, settings);
-  return BoundsByTurns<d>(solved, first, quantity, settings).bounds();
+  return bounds_of(bounded_quantity(solved, first, quantity), settings);
 }
 
 template QuantityBounds quantity_bounds(
