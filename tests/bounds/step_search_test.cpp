@@ -33,7 +33,37 @@ TEST(StepSearch, follows_the_branch_before_a_kink) {
   const auto width = [](double s) {
     return 1 / s + s / 2 + (s < 1.5 ? 0 : 4 * (s - 1.5));
   };
-  EXPECT_LT(width_after(4, 100, width), 1.001 * std::sqrt(2));
+  EXPECT_LT(width_after(5, 100, width), 1.001 * std::sqrt(2));
+}
+
+TEST(StepSearch, comes_back_from_the_shortest_step) {
+  StepSearch search(100);
+  for (const double s : {1.0, 0.25}) search.add(s, 0.4 / s + s / 0.4);
+  EXPECT_NEAR(search.next(), 0.4, 1e-12);
+}
+
+/// Of a mean displacement: the longest step is the best one so far, but not the best of all.
+TEST(StepSearch, comes_back_from_the_longest_step) {
+  StepSearch search(1);
+  search.add(0.25, 40.8);
+  search.add(0.0625, 157.8);
+  search.add(1, 21.4);
+  EXPECT_NEAR(search.next(), 0.85, 0.05);
+}
+
+/// Widths of a mean displacement, whose contact changes between the best step and the longer
+/// one: A / s + B s is nearer to the latter, and is tried where the parabola promises nothing.
+TEST(StepSearch, tries_the_model_that_stays_near_first) {
+  StepSearch far(1000);
+  far.add(33.4, 1.094e-3);
+  far.add(16.7, 2.16e-3);
+  far.add(267, 3.24e-3);
+  EXPECT_NEAR(far.next(), 58, 3);
+  StepSearch near(1000);
+  near.add(278, 1.91e-4);
+  near.add(69.5, 5.31e-4);
+  near.add(556, 2.56e-4);
+  EXPECT_NEAR(near.next(), 400, 5);
 }
 
 TEST(StepSearch, goes_no_farther_than_the_longest_step) {

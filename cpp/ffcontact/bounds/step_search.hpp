@@ -13,11 +13,11 @@ class StepSearch {
   explicit StepSearch(double longest) : longest_(longest) {}
 
   void add(double s, double width) { width_[s] = width; }
-  /// The next step to be tried: half of the first one; that at which A / s + B s through the
-  /// best one and its neighbour is least, which is the shorter one if there is; where that
-  /// is beyond the longer neighbour, or gains nothing, that at which a parabola through the
+  /// The next step to be tried: a quarter of the first one; that at which A / s + B s through
+  /// the best one and its neighbour is least, which is the shorter one if there is; before
+  /// that, where it is nearer to the longer neighbour, that at which a parabola through the
   /// logarithms of the best one and both neighbours is.
-  /// @return 0 where that is not worth it
+  /// @return 0 where none promises what is worth it
   double next() const;
 
  private:
