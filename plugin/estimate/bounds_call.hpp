@@ -17,12 +17,16 @@ struct BoundsCall {
   const NamedArguments& named;
   const std::vector<Expression>& q;  ///< of each body, or none
 
+  /// If the script gives turns or sweeps there are as many, and one further turn.
   /// @param sweeps  that are right if the script says nothing
   /// @param steps   of relaxation in each of them
   BoundSettings settings(int sweeps, int steps) const {
     BoundSettings settings;
     settings.steps = count("steps", settings.steps);
-    settings.turns = count("turns", settings.turns);
+    if (counts_turns()) {
+      settings.turns = count("turns", 2);
+      settings.further_turns = 1;
+    }
     settings.relaxation.steps = steps * count("sweeps", sweeps);
     return settings;
   }
@@ -31,6 +35,9 @@ struct BoundsCall {
   }
 
  private:
+  bool counts_turns() const {
+    return named.given("turns") || named.given("sweeps");
+  }
   int count(const char* name, int otherwise) const {
     return static_cast<int>(named.integer(stack, name, otherwise));
   }

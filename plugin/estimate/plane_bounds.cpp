@@ -8,9 +8,6 @@ namespace ffcontact::plugin {
 
 namespace {
 
-/// They gain more where mu kappa is near 1.
-constexpr int turns_with_coulombs_law = 3;
-
 /// mu kappa, and what it rests on.
 double friction_share(const BoundsCall& call, const ContactLine& line,
                       Judged& judged) {
@@ -33,7 +30,8 @@ double plane_bounds(const BoundsCall& call, const Contact& contact) {
   if (call.named.flag(call.stack, "coulomb") &&
       is_coulombs<2>(judged.body.law)) {
     settings.friction_share = friction_share(call, problem.contact, judged);
-    if (!call.named.given("turns")) settings.turns = turns_with_coulombs_law;
+    // turns gain more where mu kappa is near 1
+    if (!call.named.given("turns")) ++settings.turns;
   }
   return bounds_of<2>(call, settings, problem, problem.topology(),
                       problem.contact, *judged.system, judged.body);

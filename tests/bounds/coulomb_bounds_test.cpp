@@ -61,6 +61,25 @@ TEST(CoulombBounds, are_none_where_mu_kappa_is_not_below_1) {
   EXPECT_EQ(found.reason.substr(0, 13), "mu kappa is 1");
 }
 
+/// Stresses that are better without Coulomb's terms may be worse with them.
+TEST(CoulombBounds, are_not_widened_by_further_turns) {
+  const Problem problem = rubbed_example_1(0.5, 8);
+  const Solved solved(problem);
+  BoundSettings settings;
+  settings.friction_share = 0.5 * kappa_of(problem);
+  settings.turns = 2;
+  settings.relaxation.steps = 1;
+  QuantityBounds last;
+  for (int k = 0; k < 4; ++k) {
+    settings.further_turns = k;
+    const QuantityBounds next =
+        solved.bounds(on_label<2>(problem.mesh, left, {1.0 / 40, 0}), settings);
+    EXPECT_GE(next.lower, last.lower);
+    EXPECT_LE(next.upper, last.upper);
+    last = next;
+  }
+}
+
 TEST(CoulombBounds, are_wider_with_a_larger_constant) {
   const Problem problem = rubbed_example_1(0.2, 8);
   const Solved solved(problem);

@@ -87,6 +87,55 @@ TEST(QuantityBounds, are_apart_by_what_the_cells_contribute) {
   EXPECT_GE(found.local.minCoeff(), -1e-12 * width);
 }
 
+/// Of the box.
+QuantityBounds bounds_of_stress(const Solved& solved, int sweeps,
+                                int further_turns) {
+  BoundSettings settings;
+  settings.relaxation.steps = sweeps;
+  settings.further_turns = further_turns;
+  return solved.bounds(
+      mean_stress(solved.problem, {0, 1, 0}, {20, 10}, {40, 30}), settings);
+}
+
+/// What each further turn takes off a bound, the last of which is below what is worth it.
+void expect_to_end(const VectorXd& gains, double worthwhile) {
+  bool ended = false;
+  for (const double gain : gains) {
+    EXPECT_GE(gain, 0);
+    if (ended) {
+      EXPECT_EQ(gain, 0);
+    }
+    ended = ended || gain < worthwhile;
+  }
+  EXPECT_TRUE(ended);
+}
+
+TEST(QuantityBounds, get_narrower_by_further_turns_while_these_gain) {
+  const Solved solved(tresca_example_1(0, 8));
+  constexpr int most = 7;
+  VectorXd rises(most), falls(most);
+  const QuantityBounds wide = bounds_of_stress(solved, 1, 0);
+  QuantityBounds last = wide;
+  for (int k = 0; k < most; ++k) {
+    const QuantityBounds next = bounds_of_stress(solved, 1, k + 1);
+    rises[k] = next.lower - last.lower;
+    falls[k] = last.upper - next.upper;
+    EXPECT_LT(next.lower, -1.05584);
+    EXPECT_GT(next.upper, -1.05584);
+    EXPECT_NEAR(next.local.sum(), next.width(), 1e-10 * next.width());
+    last = next;
+  }
+  expect_to_end(rises, 0.01 * wide.width());
+  expect_to_end(falls, 0.01 * wide.width());
+}
+
+TEST(QuantityBounds, hardly_depend_on_the_sweeps_that_they_start_with) {
+  const Solved solved(tresca_example_1(2, 8));
+  const double of_one = bounds_of_stress(solved, 1, 5).width(),
+               of_eight = bounds_of_stress(solved, 8, 5).width();
+  EXPECT_NEAR(of_one, of_eight, 0.01 * of_eight);
+}
+
 TEST(QuantityBounds, are_none_where_the_mesh_knows_nothing_of_the_quantity) {
   // the triangle in the corner has no free vertex, but its third side moves
   Problem problem = body(rectangle(2, 2, 1, 1), material(1, 0.3));

@@ -15,9 +15,12 @@ struct BoundSettings {
   /// steps s at which bounds are built, at most; those that are too long for any equilibrium
   /// do not count
   int steps = 8;
-  /// of which one improves v for the tractions, and these and the stresses for v
-  int turns = 2;
+  /// at each step, of which one improves the tractions and stresses for v, and v for these
+  int turns = 1;
   RelaxationSettings relaxation{8};
+  /// of each bound at the best step, with twice the sweeps each, at most; the last one is that
+  /// which gains less than 1 % of the width
+  int further_turns = 5;
   /// mu kappa of Coulomb's law (coulomb_constant); nothing: Coulomb's law is refused
   std::optional<double> friction_share{};
   ContactSettings contact{};
@@ -57,12 +60,9 @@ struct QuantityBounds {
 };
 
 /// Strict bounds of a linear quantity of frictionless contact or of Tresca's law (excess).
-/// At each step t = +- s, with rho of the estimate at first, in turns
-///     v      that minimises the bound for rho: contact under L - t l - rho, slip bound 2 k,
-///     tau, rho  that nearly do for v: the estimate of contact under L + t l with 2 gap - v_n
-///               for the gap and 2 previous - v_t for the load step before,
-/// and v once more. Any s, v and tau give bounds; of several s (StepSearch) the narrowest
-/// ones are taken.
+/// At each step t = +- s pairs are built in turns (BoundsByTurns), with rho of the estimate at
+/// first. Any s, v and tau give bounds; of several s (StepSearch) the narrowest ones are taken,
+/// and both are improved by further turns.
 /// @param solved  what contactsolve found
 /// @param first   its estimate, to which bounds with Coulomb's law stay near
 /// What is bounded is that of the problem on the mesh's polygon or polyhedron, with contact
