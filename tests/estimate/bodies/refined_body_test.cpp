@@ -17,20 +17,16 @@ using namespace test;
 SolvedBody<2> random_body(const CutBodies& cut, std::mt19937& random) {
   const Problem& problem = cut.two.problem;
   const Index nodes = problem.line.node_count();
-  return {problem.hooke,
-          random_vector(problem.A.rows(), random),
-          random_matrix(2, nodes, random),
-          {Multiplier::pressure,
-           random_vector(nodes, random),
-           {},
-           random_vector(nodes, random),
-           {},
-           {},
-           {},
-           {}},
-          random_matrix(4, problem.mesh.boundary.cols(), random),
-          random_matrix(6, problem.mesh.cells.cols(), random),
-          nullptr};
+  SolvedBody<2> body;
+  body.hooke = problem.hooke;
+  body.displacement = random_vector(problem.A.rows(), random);
+  body.multipliers = random_matrix(2, nodes, random);
+  body.law.multiplier = Multiplier::pressure;
+  body.law.friction = random_vector(nodes, random);
+  body.law.gap = random_vector(nodes, random);
+  body.neumann = random_matrix(4, problem.mesh.boundary.cols(), random);
+  body.body_loads = random_matrix(6, problem.mesh.cells.cols(), random);
+  return body;
 }
 
 SolvedBody<2> refined(const CutBodies& cut, const SolvedBody<2>& old) {
