@@ -57,7 +57,7 @@ class PairOnSurface {
   PairOnSurface(const Topology<3>& topology, const ContactSurface& surface,
                 const ContactLaw<3>& law, const Estimate<3>& estimate)
       : surface_(surface),
-        cones_(traction_cones(law, surface)),
+        cones_(traction_cones(law)),
         nodal_(estimate.tractions),
         friction_(surface.node_count()) {
     if (!surface.against_a_body())

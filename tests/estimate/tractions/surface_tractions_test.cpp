@@ -108,8 +108,7 @@ TEST(SurfaceTractions, have_cones_in_units_of_tractions) {
   const int nodes = problem.surface.node_count();
   problem.law.slip_bound = VectorXd::Constant(nodes, 2);
   problem.law.shear_limit = VectorXd::Constant(nodes, 3);
-  for (const FrictionCone& cone :
-       traction_cones(problem.law, problem.surface)) {
+  for (const FrictionCone& cone : traction_cones(problem.law)) {
     EXPECT_DOUBLE_EQ(cone.cohesion, 2);
     EXPECT_DOUBLE_EQ(cone.limit, 3);
   }

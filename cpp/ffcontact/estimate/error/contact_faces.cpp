@@ -66,7 +66,7 @@ std::vector<ContactFacet<3>> contact_faces(
   const bool between_bodies = surface.against_a_body();
   const std::vector<MatchingFace> matches =
       matching_faces(mesh, faces, surface);
-  const std::vector<FrictionCone> cones = traction_cones(law, surface),
+  const std::vector<FrictionCone> cones = traction_cones(law),
                                   paid = law_cones(law);
   const double least = least_motion * largest_displacement(law, displacement),
                rounding = rounding_of_slip(law, displacement);

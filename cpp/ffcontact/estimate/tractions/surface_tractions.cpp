@@ -149,8 +149,7 @@ VectorXd areas_over_projected(const ContactSurface& surface) {
 
 }  // namespace
 
-std::vector<FrictionCone> traction_cones(const ContactLaw<3>& law,
-                                         const ContactSurface& surface) {
+std::vector<FrictionCone> traction_cones(const ContactLaw<3>& law) {
   std::vector<FrictionCone> cones = law_cones(law);
   for (FrictionCone& cone : cones)
     cone.friction = bounded_friction(cone.friction);
@@ -160,7 +159,7 @@ std::vector<FrictionCone> traction_cones(const ContactLaw<3>& law,
 Matrix3Xd lumped_tractions(const ContactLaw<3>& law,
                            const ContactSurface& surface,
                            const Ref<const Matrix3Xd>& force) {
-  const std::vector<FrictionCone> cones = traction_cones(law, surface);
+  const std::vector<FrictionCone> cones = traction_cones(law);
   const VectorXd larger = areas_over_projected(surface);
   Matrix3Xd traction(3, force.cols());
   for (Index i = 0; i < force.cols(); ++i)
@@ -175,7 +174,7 @@ Matrix3Xd continued_tractions(const ContactLaw<3>& law,
                               const VectorXd& displacement,
                               const Flags& prescribed, Matrix3Xd traction) {
   Flags held = held_in_contact(law, surface, displacement, prescribed);
-  const std::vector<FrictionCone> cones = traction_cones(law, surface);
+  const std::vector<FrictionCone> cones = traction_cones(law);
   for (bool goes_on = true; goes_on;) {  // from ring to ring
     const Matrix4Xd beside = sums_beside(surface, held, traction);
     goes_on = false;
@@ -217,7 +216,7 @@ std::optional<Matrix3Xd> nearest_in_cone(const SolidMesh& mesh,
                                          const Ref<const Matrix3Xd>& traction,
                                          const MatrixXd& motions,
                                          const VectorXd& resultants) {
-  const SurfaceDual dual(traction_cones(law, surface), surface, traction,
+  const SurfaceDual dual(traction_cones(law), surface, traction,
                          weighted_motions(mesh, faces, surface, motions),
                          resultants);
   SurfaceDual::Point point = dual.start(), closest = point;
@@ -234,7 +233,7 @@ std::optional<Matrix3Xd> nearest_in_cone(const SolidMesh& mesh,
 
 double cone_violation(const ContactLaw<3>& law, const ContactSurface& surface,
                       const Ref<const Matrix3Xd>& traction) {
-  const std::vector<FrictionCone> cones = traction_cones(law, surface);
+  const std::vector<FrictionCone> cones = traction_cones(law);
   double largest = 0;
   for (Index i = 0; i < traction.cols(); ++i) {
     const double rt = traction.col(i).tail<2>().norm();

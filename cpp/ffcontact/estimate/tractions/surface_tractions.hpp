@@ -23,8 +23,7 @@ inline Matrix3d of_face(const SurfaceTractions& tractions, Index m) {
 
 /// The cones of tractions at the nodes [MPa] that r_hat keeps to (bounded_friction); e pays
 /// for law_cones.
-std::vector<FrictionCone> traction_cones(const ContactLaw<3>& law,
-                                         const ContactSurface& surface);
+std::vector<FrictionCone> traction_cones(const ContactLaw<3>& law);
 
 /// F_i / A_i of nodal forces, in the cone where they are but for rounding. Keeps their
 /// resultant on a plane; where normals turn A_i is that seen along the node's.
