@@ -72,6 +72,19 @@ TEST(BodyGrid, has_forces_that_do_the_work_of_those_on_displacements) {
               two.frames.components(f).dot(y), 1e-12);
 }
 
+/// Where the directions of a vertex are not orthogonal, and some stand for nothing.
+TEST(BodyGrid, has_the_unknowns_of_translations) {
+  Random random(3);
+  for (int held = 0; held < 3; ++held) {
+    Matrix3d T = random_matrix(3, 3, random);
+    T.rightCols(held).setZero();
+    const Vector3d y = random_vector(3, random), u = T * y;
+    const Vector3d found = motions_along<3>(T).leftCols<3>().cast<double>() * u;
+    EXPECT_LT(max_norm((found - y).head(3 - held)), 1e-4);
+    EXPECT_EQ(max_norm(found.tail(held)), 0);
+  }
+}
+
 TEST(BodyGrid, parts_bodies_and_what_follows_others) {
   const Followers two;
   const NodeList part =

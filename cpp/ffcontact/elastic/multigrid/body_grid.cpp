@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/elastic/multigrid/body_grid.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 
 #include "ffcontact/base/packed.hpp"
@@ -148,7 +149,11 @@ template <int dim>
 SingleBlock<dim, NodeMotions<dim, dim>::count> motions_along(
     const MatrixOf<dim>& T) {
   auto motions = NodeMotions<dim, dim>().motions;
-  motions.template leftCols<dim>() = T.transpose().template cast<float>();
+  MatrixOf<dim> G = T.transpose() * T;
+  for (int c = 0; c < dim; ++c)
+    if (G(c, c) == 0) G(c, c) = 1;
+  motions.template leftCols<dim>() =
+      (G.inverse() * T.transpose()).template cast<float>();
   return motions;
 }
 

@@ -14,7 +14,8 @@ Grid<dim, dim> body_grid(const ElasticSystem& system,
                          const Matrix<double, dim, Dynamic>& vertices,
                          const VertexFrames<dim>& frames);
 
-/// How rigid motions move the y of a vertex, of the unknowns with a direction.
+/// How rigid motions move the y of a vertex, of the unknowns with a direction:
+///     y = (T'T)^-1 T'u.
 template <int dim>
 SingleBlock<dim, NodeMotions<dim, dim>::count> motions_along(
     const MatrixOf<dim>& T);
