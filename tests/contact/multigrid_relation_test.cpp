@@ -9,7 +9,6 @@
 #include "ffcontact/linear/norms.hpp"
 #include "support/by_multigrid.hpp"
 #include "support/pressed_bricks.hpp"
-#include "support/refusals.hpp"
 #include "support/solid_stacks.hpp"
 #include "support/threads.hpp"
 #include "support/turning.hpp"
@@ -138,14 +137,6 @@ TEST(MultigridRelation, has_the_same_digits_on_two_threads) {
     return problem.solve(by(LinearSolver::multigrid)).displacement;
   };
   EXPECT_EQ(on_threads(1, answer), on_threads(2, answer));
-}
-
-TEST(MultigridRelation, is_refused_where_nodes_share_a_vertex) {
-  SolidProblem problem(brick({2, 2, 2}, {1, 1, 1}), 0.5, {low_z, low_x});
-  problem.move(high_z, [](const Vector3d&) { return Vector3d(0, 0, -1e-3); });
-  EXPECT_EQ(refusal([&] { problem.solve(by(LinearSolver::multigrid)); }),
-            "solver=\"multigrid\" is for solids whose contact surfaces have "
-            "no edges and move where they face what moves: leave it out");
 }
 
 }  // namespace

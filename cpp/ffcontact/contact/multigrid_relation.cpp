@@ -70,6 +70,7 @@ class OfMultigrid : public ContactRelation, private NewtonRelation {
                  const VectorXd& P) {
     load_ = unknowns_.frames.components(load);
     conditions_.put(v_prescribed, P);
+    shared_.put(conditions_.v_prescribed());
     const VectorXd given = given_forces();
     largest_load_ = max_norm(given);
     least_ = least_scales(given);
@@ -83,7 +84,7 @@ class OfMultigrid : public ContactRelation, private NewtonRelation {
   ActiveSetResult answer_from(const ContactRows& rows,
                               const NewtonSettings& limits) {
     last_missed_ = 0;
-    const VectorXd y = conditions_.y_of(rows.v, rows.P);
+    const VectorXd y = y_of(rows.v, rows.P);
     ContactRows near = conditions_.rows_of(y, forces(y));
     near.P.head(nodal()) = rows.P.head(nodal());
     near.v.head(nodal()) = rows.v.head(nodal());
@@ -120,7 +121,16 @@ class OfMultigrid : public ContactRelation, private NewtonRelation {
                                 compliance_followed(K, row) +
                                 unknowns_.compliance[row]));
     });
+    for (const SharedVertex& shared : unknowns_.shared)
+      number_rows(shared, position, diagonal);
     return {packed(diagonal), position, held};
+  }
+  static void number_rows(const SharedVertex& shared, VectorXi& position,
+                          std::vector<double>& diagonal) {
+    for (int k = 0; k < shared.row_count(); ++k) {
+      position[shared.rows[k]] = count_of(diagonal);
+      diagonal.push_back(0.5 / (1 / shared.stiffness[k] + shared.layer[k]));
+    }
   }
 
   /// Of what a row follows, whose springs are in series with its own.
@@ -136,23 +146,57 @@ class OfMultigrid : public ContactRelation, private NewtonRelation {
 
   SystemKind step(const SurfaceEquations& equations,
                   ContactRows& rows) override {
-    VectorXd y = with_conditions(equations, rows.v.tail(load_.size()));
-    const VectorXd missed = conditions_.missed(equations, y, forces(y));
-    const std::optional<VectorXd> change =
-        step_.change(equations, missed, residual_for(missed.norm()));
+    shared_.put(equations, rows.P);
+    const VectorXd z = shared_.z_of(rows.P);
+    const VectorXd y = with_conditions(equations, z, rows.v.tail(load_.size()));
+    const Balance last = balance(equations, y, z);
+    const std::optional<VectorXd> change = step_.change(
+        equations, shared_, last.missed, residual_for(last.missed.norm()));
     if (!change) return SystemKind::inconsistent;
-    y += *change;
-    const VectorXd F = forces(y);
-    rows = conditions_.rows_of(y, F);
-    conditions_.settle(equations, conditions_.missed(equations, y, F), rows);
+    put_rows(equations, y + change->head(y.size()), z + change->tail(z.size()),
+             rows);
     return SystemKind::regular;
   }
 
+  /// Forces on y that are no P of shared rows, these P, and what y and z lack.
+  struct Balance {
+    VectorXd F, P, missed;
+  };
+  Balance balance(const SurfaceEquations& equations, const VectorXd& y,
+                  const VectorXd& z) const {
+    Balance result{forces(y), VectorXd::Zero(nodal()),
+                   VectorXd(y.size() + z.size())};
+    result.missed.tail(z.size()) = shared_.put_forces(y, z, result.F, result.P);
+    shared_.take(result.P, result.F);
+    result.missed.head(y.size()) = conditions_.missed(equations, y, result.F);
+    return result;
+  }
+
+  void put_rows(const SurfaceEquations& equations, const VectorXd& y,
+                const VectorXd& z, ContactRows& rows) const {
+    const Balance next = balance(equations, y, z);
+    rows = conditions_.rows_of(y, next.F);
+    conditions_.settle(equations, next.missed, rows);
+    rows.P.head(nodal()) += next.P;
+    shared_.put_motion(y, next.P, rows.v);
+  }
+
+  VectorXd y_of(const VectorXd& v, const VectorXd& P) const {
+    VectorXd y = conditions_.y_of(v, P);
+    shared_.put_own(v, P, y);
+    return y;
+  }
+
   /// y that meets the conditions, what others' y do apart.
-  VectorXd with_conditions(const SurfaceEquations& equations,
+  VectorXd with_conditions(const SurfaceEquations& equations, const VectorXd& z,
                            VectorXd y) const {
     conditions_.fix(equations, y);
-    if (stated_.law.layer.given()) conditions_.relax(equations, forces(y), y);
+    shared_.fix(y);
+    if (!stated_.law.layer.given() && shared_.count() == 0) return y;
+    const VectorXd F = forces(y);
+    conditions_.relax(equations, F, y);
+    for (int i = 0; i < shared_.count(); ++i)
+      shared_.relax(i, step_.shared_diagonal(i), F, z, y);
     return y;
   }
 
@@ -174,7 +218,7 @@ class OfMultigrid : public ContactRelation, private NewtonRelation {
   /// Where the nodes' v and all other y are 0; a layer takes its part of v_prescribed.
   VectorXd given_forces() const {
     const VectorXd none = VectorXd::Zero(nodal());
-    VectorXd y = conditions_.y_of(none, none);
+    VectorXd y = y_of(none, none);
     unknowns_.for_rows(
         [&](int row, int k) { y[k] /= 1 + conditions_.yielding(row); });
     return forces(y);
@@ -194,6 +238,7 @@ class OfMultigrid : public ContactRelation, private NewtonRelation {
   StepMultigrid step_;
   VectorXd load_;  ///< b on y
   StepConditions conditions_{unknowns_, step_};
+  SharedRows shared_{unknowns_.shared};
   LawScales least_;  ///< of v and P
   double largest_load_ = 0;
   double last_missed_ = 0;

@@ -14,7 +14,7 @@ namespace ffcontact {
 /// StepConditions states. Memory and time grow like the number of dofs, where those of a factor
 /// and of Schur's complement grow like its powers 1.4 and 2.
 /// @param vertices  of the mesh
-/// @param stated    whose trace has own unknowns (has_own_unknowns); outlives it
+/// @param stated    whose surface does not face itself (faces_itself); outlives it
 std::unique_ptr<ContactRelation> multigrid_relation(
     const Matrix3Xd& vertices, const StatedSurface& stated);
 

@@ -8,7 +8,7 @@
 #include "ffcontact/contact/checks/unheld_bodies.hpp"
 #include "ffcontact/contact/condensed_answer.hpp"
 #include "ffcontact/contact/corrected_answer.hpp"
-#include "ffcontact/contact/multigrid/step_multigrid.hpp"
+#include "ffcontact/contact/multigrid/surface_unknowns.hpp"
 #include "ffcontact/contact/multigrid_relation.hpp"
 #include "ffcontact/contact/solve_contact.hpp"
 #include "ffcontact/contact/surface_relation.hpp"
@@ -61,7 +61,7 @@ std::optional<ContactSolution<3>> roughly_factored_solution(
 
 bool can_take_multigrid(const StatedSurface& stated) {
   return stated.settings.solver == ContactSolver::newton &&
-         has_own_unknowns(stated.trace);
+         !faces_itself(stated.surface, stated.trace);
 }
 
 /// Where it is asked for, or pays and there is no factor yet.
@@ -70,8 +70,8 @@ bool takes_multigrid(const StatedSurface& stated) {
   const bool can = can_take_multigrid(stated);
   if (settings.linear == LinearSolver::multigrid && !can)
     refuse(
-        "solver=\"multigrid\" is for solids whose contact surfaces have no "
-        "edges and move where they face what moves: leave it out");
+        "solver=\"multigrid\" is for solids whose contact vertices do not face "
+        "each other: leave it out");
   if (settings.linear != LinearSolver::automatic)
     return settings.linear == LinearSolver::multigrid;
   return can && !settings.stiffness &&

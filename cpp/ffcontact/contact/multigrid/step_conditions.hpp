@@ -18,6 +18,9 @@ class StepConditions {
   /// @param carried  P0 of all rows; empty: 0
   void put(const VectorXd& v_prescribed, const VectorXd& carried);
 
+  /// Less gamma P0.
+  const VectorXd& v_prescribed() const { return v_prescribed_; }
+
   /// y for v and P of the nodes, 0 beyond them.
   VectorXd y_of(const VectorXd& v, const VectorXd& P) const;
   /// P and v of the nodes, behind them y and the forces on y that are no P.

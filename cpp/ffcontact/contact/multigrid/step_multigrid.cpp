@@ -2,8 +2,6 @@
 #include "ffcontact/contact/multigrid/step_multigrid.hpp"
 
 #include <algorithm>
-#include <map>
-#include <utility>
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/linear/iterative/gmres.hpp"
@@ -22,59 +20,13 @@ constexpr int most_products = 150;
 /// Residual of GMRES that is of no use.
 constexpr double useless_residual = 0.5;
 
-/// T of the contact vertices and the unknowns of the rows.
-void put_frames(const ContactSurface& surface, const SurfaceTrace& trace,
-                SurfaceUnknowns& unknowns) {
-  const ContactTrace& moved = trace.trace;
-  std::vector<Matrix3d> T(surface.node_count(), Matrix3d::Zero());
-  for (int k = 0; k < count_of(trace.primary); ++k) {
-    const int row = trace.primary[k], node = row / 3;
-    unknowns.of_row[row] = 3 * surface.vertex[node] + row % 3;
-    for (SparseMatrix::InnerIterator e(moved.to_kept, k); e; ++e)
-      T[node](moved.kept_dofs[e.row()] % 3, row % 3) = e.value();
-  }
-  for (int i = 0; i < surface.node_count(); ++i)
-    if (!T[i].isZero(0)) unknowns.frames.put(surface.vertex[i], T[i]);
-}
-
-/// By w = v - v_prescribed - A_o w_o.
-void put_followed(const ContactSurface& surface, const SurfaceTrace& trace,
-                  VertexFrames<3>& frames) {
-  const ContactTrace& moved = trace.trace;
-  std::map<std::pair<int, int>, Matrix3d> B;
-  for (Index k = count_of(trace.primary); k < moved.A.cols(); ++k)
-    for (SparseMatrix::InnerIterator w(moved.to_kept, k); w; ++w) {
-      const int dof = moved.kept_dofs[w.row()];
-      for (SparseMatrix::InnerIterator e(moved.A, k); e; ++e) {
-        const int row = static_cast<int>(e.row());
-        const std::pair link(surface.vertex[row / 3], dof / 3);
-        const auto known = B.try_emplace(link, Matrix3d::Zero()).first;
-        known->second(row % 3, dof % 3) -= e.value() * w.value();
-      }
-    }
-  for (const auto& [link, block] : B)
-    if (!block.isZero(0)) frames.follow(link.first, link.second, block);
+/// Is this much of what multigrid knows, or of c, another one?
+bool differs(const MatrixXd& known, const MatrixXd& now, double c) {
+  const double size = std::max(known.norm(), now.norm());
+  return (now - known).norm() > std::max(stale * size, weak * c);
 }
 
 }  // namespace
-
-bool has_own_unknowns(const SurfaceTrace& trace) {
-  const auto free = std::count(trace.held.begin(), trace.held.end(), 0);
-  const int own = count_of(trace.primary);
-  return own == free && trace.trace.A.leftCols(own).nonZeros() == own;
-}
-
-SurfaceUnknowns surface_unknowns(const ContactSurface& surface,
-                                 const SurfaceTrace& trace,
-                                 const CompliantLayer& layer,
-                                 const ElasticSystem& system) {
-  SurfaceUnknowns unknowns{
-      VertexFrames<3>(system), VectorXi::Constant(3 * surface.node_count(), -1),
-      nodal_compliance(layer, surface.area, 3, trace.held)};
-  put_frames(surface, trace, unknowns);
-  put_followed(surface, trace, unknowns.frames);
-  return unknowns;
-}
 
 StepMultigrid::StepMultigrid(const ElasticSystem& system,
                              const Matrix3Xd& vertices,
@@ -83,12 +35,16 @@ StepMultigrid::StepMultigrid(const ElasticSystem& system,
       vertex_(unknowns.of_row.size() / 3, -1),
       diagonal_(vertex_.size(), SingleBlock<3, 3>::Zero()),
       known_(vertex_.size()),
+      known_shared_(unknowns.shared.size()),
       multigrid_(body_grid<3>(system, vertices, unknowns.frames)) {
   for (int row = 0; row < unknowns.of_row.size(); ++row)
     if (unknowns.of_row[row] >= 0) vertex_[row / 3] = unknowns.of_row[row] / 3;
   for (int i = 0; i < node_count(); ++i)
     if (vertex_[i] >= 0)
       diagonal_[i] = multigrid_.matrix().block(vertex_[i], vertex_[i]);
+  for (const SharedVertex& shared : unknowns.shared)
+    shared_diagonal_.push_back(
+        multigrid_.matrix().block(shared.vertex, shared.vertex));
   diagonal_of_all_.resize(system.dof_count());
   for (int v = 0; v < multigrid_.matrix().rows(); ++v)
     block_of<3>(diagonal_of_all_, v) =
@@ -121,8 +77,8 @@ SingleBlock<3, 3> StepMultigrid::Node::springs() const {
   return sum.cast<float>();
 }
 
-SmoothedAggregation<3>::Change StepMultigrid::change_of(
-    int node, const Node& state) const {
+StepMultigrid::Change StepMultigrid::change_of(int node,
+                                               const Node& state) const {
   const int v = vertex_[node];
   SingleBlock<3, 3> block = diagonal_[node] + state.springs();
   auto motions = motions_along<3>(unknowns_.frames.of(v));
@@ -151,13 +107,12 @@ StepMultigrid::Node StepMultigrid::node_of(const SurfaceEquations& equations,
 
 bool StepMultigrid::is_stale(int node, const Node& now, double c) const {
   const Node& known = known_[node];
-  const double size = std::max(known.slip.norm(), now.slip.norm());
   return now.moves != known.moves || now.layer != known.layer ||
-         (now.slip - known.slip).norm() > std::max(stale * size, weak * c);
+         differs(known.slip, now.slip, c);
 }
 
-void StepMultigrid::follow(const SurfaceEquations& equations) {
-  std::vector<SmoothedAggregation<3>::Change> changes;
+void StepMultigrid::follow_nodes(const SurfaceEquations& equations,
+                                 std::vector<Change>& changes) {
   for (int i = 0; i < node_count(); ++i) {
     if (vertex_[i] < 0) continue;
     const Node now = node_of(equations, i);
@@ -165,6 +120,38 @@ void StepMultigrid::follow(const SurfaceEquations& equations) {
     known_[i] = now;
     changes.push_back(change_of(i, now));
   }
+}
+
+bool StepMultigrid::Shared::is_stale(const Shared& now, double c) const {
+  return now.moves != moves || differs(springs, now.springs, c);
+}
+
+void StepMultigrid::follow_shared(const SharedRows& shared,
+                                  std::vector<Change>& changes) {
+  for (int i = 0; i < shared.count(); ++i) {
+    const Shared now{shared.moves(i), shared.springs(i)};
+    const Matrix3d K = shared_diagonal(i);
+    if (!known_shared_[i].is_stale(now, K.maxCoeff())) continue;
+    known_shared_[i] = now;
+    changes.push_back(change_of(shared.vertex(i), K, now));
+  }
+}
+
+StepMultigrid::Change StepMultigrid::change_of(const SharedVertex& shared,
+                                               const Matrix3d& K,
+                                               const Shared& state) const {
+  const auto moves = state.moves.asDiagonal();
+  const Matrix3d block = moves * K * moves + state.springs;
+  const SingleBlock<3, 1> mask = state.moves.cast<float>();
+  return {shared.vertex, block.cast<float>(),
+          mask.asDiagonal() * motions_along<3>(shared.T)};
+}
+
+void StepMultigrid::follow(const SurfaceEquations& equations,
+                           const SharedRows& shared) {
+  std::vector<Change> changes;
+  follow_nodes(equations, changes);
+  follow_shared(shared, changes);
   multigrid_.put(changes);
 }
 
@@ -182,32 +169,59 @@ SingleBlock<3, 1> StepMultigrid::rows_of(int node,
   return rows;
 }
 
-VectorXf StepMultigrid::product(const SurfaceEquations& equations,
-                                const VectorXf& y) const {
-  const BlockRows<3, 3>& A = multigrid_.matrix();
-  VectorXf result = ffcontact::product(A, y);
+SingleBlock<3, 1> StepMultigrid::at(int vertex, const SingleBlock<3, 3>& D,
+                                    const VectorXf& y,
+                                    const VectorXf& product) const {
+  const SingleBlock<3, 3> other = D - multigrid_.matrix().block(vertex, vertex);
+  return block_of<3>(product, vertex) + other * block_of<3>(y, vertex);
+}
+
+VectorXf StepMultigrid::of_nodes(const SurfaceEquations& equations,
+                                 const VectorXf& y) const {
+  VectorXf result = ffcontact::product(multigrid_.matrix(), y);
 #pragma omp parallel for
-  for (int i = 0; i < node_count(); ++i) {
-    const int v = vertex_[i];
-    if (v < 0) continue;
-    // K has another block on the diagonal than multigrid
-    const SingleBlock<3, 1> at = block_of<3>(y, v),
-                            K_y = block_of<3>(result, v) +
-                                  (diagonal_[i] - A.block(v, v)) * at;
-    block_of<3>(result, v) = rows_of(i, equations, K_y, at);
-  }
+  for (int i = 0; i < node_count(); ++i)
+    if (const int v = vertex_[i]; v >= 0)
+      block_of<3>(result, v) = rows_of(
+          i, equations, at(v, diagonal_[i], y, result), block_of<3>(y, v));
   return result;
 }
 
+VectorXf StepMultigrid::product(const SurfaceEquations& equations,
+                                const SharedRows& shared,
+                                const VectorXf& x) const {
+  const Index dofs = diagonal_of_all_.size(), beyond = x.size() - dofs;
+  const VectorXf y = x.head(dofs);
+  VectorXf forces = of_nodes(equations, y), result(x.size());
+  for (int i = 0; i < shared.count(); ++i) {
+    const int v = shared.vertex(i).vertex;
+    block_of<3>(forces, v) = at(v, shared_diagonal_[i], y, forces);
+  }
+  result.tail(beyond) = shared.change(y, x.tail(beyond), forces);
+  result.head(dofs) = forces;
+  return result;
+}
+
+VectorXf StepMultigrid::preconditioned(const SharedRows& shared,
+                                       const VectorXf& right) const {
+  VectorXf x = right, forces = right.head(diagonal_of_all_.size());
+  shared.add_forces(right.tail(right.size() - forces.size()), forces);
+  x.head(forces.size()) = multigrid_(forces);
+  return x;
+}
+
 std::optional<VectorXd> StepMultigrid::change(const SurfaceEquations& equations,
+                                              const SharedRows& shared,
                                               const VectorXd& missed,
                                               double residual) {
-  follow(equations);
+  follow(equations, shared);
   const double size = missed.norm();
   if (!(size > 0)) return VectorXd::Zero(missed.size());
-  const GmresResult found = gmres(
-      [&](const VectorXf& y) { return product(equations, y); }, multigrid_,
-      (-missed / size).cast<float>(), {residual, most_products});
+  const GmresResult found =
+      gmres([&](const VectorXf& y) { return product(equations, shared, y); },
+            [&](const VectorXf& r) { return preconditioned(shared, r); },
+            (-missed / size).cast<float>(), {residual, most_products});
+  products_ += found.steps;
   if (!(found.residual < useless_residual) || !found.x.allFinite()) return {};
   return size * found.x.cast<double>();
 }

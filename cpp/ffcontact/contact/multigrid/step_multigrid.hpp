@@ -4,41 +4,13 @@
 #include <optional>
 #include <vector>
 
-#include "ffcontact/contact/condensed/surface_trace.hpp"
+#include "ffcontact/contact/multigrid/shared_rows.hpp"
+#include "ffcontact/contact/multigrid/surface_unknowns.hpp"
 #include "ffcontact/contact/newton/surface_equations.hpp"
 #include "ffcontact/elastic/multigrid/body_grid.hpp"
 #include "ffcontact/elastic/multigrid/smoothed_aggregation.hpp"
-#include "ffcontact/interface/contact_surface.hpp"
 
 namespace ffcontact {
-
-/// The unknowns of solids in contact, as many as they have free dofs: what u consists of
-/// beside prescribed values, of which the rows 3 i + c of the nodes have
-///     v = y_k + v_prescribed + gamma P_k,   P_k = (K u - b)_k in the components of y,
-/// so that contact vertices follow what they face, and what their states hold is a mask. A
-/// compliant layer gives way by gamma P_k between y and v, gamma = c / A of the node.
-struct SurfaceUnknowns {
-  VertexFrames<3> frames;
-  VectorXi of_row;      ///< k of each row, or -1 where it is held [3 p]
-  VectorXd compliance;  ///< gamma, nodal_compliance [3 p]
-
-  /// Calls visit(row, k) for the rows that are not held and their y_k.
-  template <class Visit>
-  void for_rows(const Visit& visit) const {
-    for (int row = 0; row < of_row.size(); ++row)
-      if (const int k = of_row[row]; k >= 0) visit(row, k);
-  }
-};
-
-/// Has every row that is not held an unknown of its own? It has not where nodes share a
-/// vertex, where contact vertices follow each other, and where a fixed one faces what moves.
-bool has_own_unknowns(const SurfaceTrace& trace);
-
-/// @param trace  with own unknowns
-SurfaceUnknowns surface_unknowns(const ContactSurface& surface,
-                                 const SurfaceTrace& trace,
-                                 const CompliantLayer& layer,
-                                 const ElasticSystem& system);
 
 /// The linear systems of surface_newton with K for that of y, for the change y of the unknowns:
 ///     inside, open:  K y = -missed          where v = 0 is the condition:  y = 0
@@ -50,6 +22,11 @@ SurfaceUnknowns surface_unknowns(const ContactSurface& surface,
 /// one that is much stiffer than the body is taken for softer, and v still tends to 0, by a
 /// factor of 1e4 or more a step. The preconditioner is multigrid of the symmetric part, that
 /// without mu, and follows the states of the nodes.
+///
+/// Rows of shared vertices add - E'dP at them and - E_j'dP at what they face, and unknowns z
+/// behind y (SharedRows). Multigrid knows the springs that they are to their own y. Of
+///     (K, -E'; c E, H) (y, z) = (r, r_z)
+/// it is given   z = r_z, y = M (r + E'z):   Schur's complement c E K^-1 E' is about 1.
 class StepMultigrid {
  public:
   /// @param unknowns  outlives it
@@ -58,6 +35,10 @@ class StepMultigrid {
 
   /// Of K on its diagonal at each row that is not held [3 p].
   double stiffness(int row) const;
+  /// Of K at shared vertex i.
+  Matrix3d shared_diagonal(int i) const {
+    return shared_diagonal_[i].cast<double>();
+  }
   /// The diagonal of K, 0 at unknowns that stand for nothing.
   const VectorXf& diagonal_of_all() const { return diagonal_of_all_; }
 
@@ -71,9 +52,13 @@ class StepMultigrid {
   }
 
   /// To a residual of so much of |missed|.
+  /// @param missed  by y, then by z
   /// @return nothing where GMRES leads nowhere
   std::optional<VectorXd> change(const SurfaceEquations& equations,
+                                 const SharedRows& shared,
                                  const VectorXd& missed, double residual);
+  /// That GMRES needed so far.
+  int products() const { return products_; }
 
  private:
   /// What multigrid was told of a node.
@@ -84,18 +69,38 @@ class StepMultigrid {
 
     SingleBlock<3, 3> springs() const;
   };
+  /// And of a shared vertex.
+  struct Shared {
+    Vector3d moves = Vector3d::Ones();
+    Matrix3d springs = Matrix3d::Zero();
+
+    bool is_stale(const Shared& now, double c) const;
+  };
 
   Node node_of(const SurfaceEquations& equations, int node) const;
   /// @param c  of the natural map, beside which small w are nothing
   bool is_stale(int node, const Node& now, double c) const;
-  void follow(const SurfaceEquations& equations);
-  SmoothedAggregation<3>::Change change_of(int node, const Node& state) const;
+  using Change = SmoothedAggregation<3>::Change;
+  void follow(const SurfaceEquations& equations, const SharedRows& shared);
+  void follow_nodes(const SurfaceEquations& equations,
+                    std::vector<Change>& changes);
+  void follow_shared(const SharedRows& shared, std::vector<Change>& changes);
+  Change change_of(const SharedVertex& shared, const Matrix3d& K,
+                   const Shared& state) const;
+  Change change_of(int node, const Node& state) const;
   /// What the equations of a node make of rows of K y.
   SingleBlock<3, 1> rows_of(int node, const SurfaceEquations& equations,
                             const SingleBlock<3, 1>& K_y,
                             const SingleBlock<3, 1>& y) const;
+  /// K y at a vertex with D of K, where multigrid has other blocks on the diagonal.
+  SingleBlock<3, 1> at(int vertex, const SingleBlock<3, 3>& D,
+                       const VectorXf& y, const VectorXf& product) const;
   /// Of the true states, which multigrid may have a little behind.
-  VectorXf product(const SurfaceEquations& equations, const VectorXf& y) const;
+  VectorXf product(const SurfaceEquations& equations, const SharedRows& shared,
+                   const VectorXf& x) const;
+  VectorXf of_nodes(const SurfaceEquations& equations, const VectorXf& y) const;
+  VectorXf preconditioned(const SharedRows& shared,
+                          const VectorXf& right) const;
   int node_count() const { return static_cast<int>(vertex_.size()); }
 
   const SurfaceUnknowns& unknowns_;
@@ -103,7 +108,10 @@ class StepMultigrid {
   std::vector<SingleBlock<3, 3>> diagonal_;  ///< of K at it
   VectorXf diagonal_of_all_;
   std::vector<Node> known_;
+  std::vector<SingleBlock<3, 3>> shared_diagonal_;  ///< of K at them
+  std::vector<Shared> known_shared_;
   SmoothedAggregation<3> multigrid_;
+  int products_ = 0;
 };
 
 }  // namespace ffcontact
