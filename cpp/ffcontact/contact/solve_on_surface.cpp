@@ -61,7 +61,7 @@ std::optional<ContactSolution<3>> roughly_factored_solution(
 
 bool can_take_multigrid(const StatedSurface& stated) {
   return stated.settings.solver == ContactSolver::newton &&
-         !faces_itself(stated.surface, stated.trace);
+         !faces_itself(stated.contact, stated.trace);
 }
 
 /// Where it is asked for, or pays and there is no factor yet.

@@ -143,10 +143,10 @@ double largest_traction(const ContactTractions<3>& contact) {
 template <>
 double cone_violation(const MatchedBodies<3>& bodies,
                       const RelaxedTractions<3>& tractions) {
-  return std::max(cone_violation(bodies.body().law, bodies.contact(),
-                                 tractions.contact.densities),
-                  cone_violation(tractions.facets,
-                                 tractions_on(tractions.facets, tractions)));
+  return std::max(
+      cone_violation(bodies.body().law, tractions.contact.densities),
+      cone_violation(tractions.facets,
+                     tractions_on(tractions.facets, tractions)));
 }
 
 template <>

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "ffcontact/contact/stated_contact.hpp"
 #include "ffcontact/elastic/stiffness.hpp"
 #include "support/bodies.hpp"
 #include "support/coulomb.hpp"

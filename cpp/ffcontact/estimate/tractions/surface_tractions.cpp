@@ -231,7 +231,7 @@ std::optional<Matrix3Xd> nearest_in_cone(const SolidMesh& mesh,
   return Matrix3Xd(closest.r.reshaped(3, traction.cols()));
 }
 
-double cone_violation(const ContactLaw<3>& law, const ContactSurface& surface,
+double cone_violation(const ContactLaw<3>& law,
                       const Ref<const Matrix3Xd>& traction) {
   const std::vector<FrictionCone> cones = traction_cones(law);
   double largest = 0;

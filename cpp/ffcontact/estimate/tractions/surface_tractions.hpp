@@ -68,7 +68,7 @@ std::optional<Matrix3Xd> nearest_in_cone(const SolidMesh& mesh,
                                          const VectorXd& resultants);
 
 /// Largest of r_n and |r_t| less its bound at the nodes [MPa]; 0 in the cone.
-double cone_violation(const ContactLaw<3>& law, const ContactSurface& surface,
+double cone_violation(const ContactLaw<3>& law,
                       const Ref<const Matrix3Xd>& traction);
 
 }  // namespace ffcontact
