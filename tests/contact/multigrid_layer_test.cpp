@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "ffcontact/contact/law/nodal_pressures.hpp"
 #include "ffcontact/contact/multigrid_relation.hpp"
 #include "ffcontact/contact/residual_defect.hpp"
 #include "support/by_multigrid.hpp"

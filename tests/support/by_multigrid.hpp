@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ffcontact/contact/law/nodal_pressures.hpp"
 #include "ffcontact/linear/norms.hpp"
 #include "support/solid_problems.hpp"
 #include "support/solid_stacks.hpp"
