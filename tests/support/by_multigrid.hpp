@@ -58,17 +58,22 @@ inline void stiffen(double factor, SolidStack& stack) {
       if (e.value() != 1e30) e.valueRef() *= factor;
 }
 
-/// A block on a larger one, whose meshes do not match, moved down, along and about y.
-inline SolidStack block_on_a_block(double mu, double stiffness) {
+/// A brick on a larger one that is held, whose meshes do not match.
+inline SolidStack brick_on_a_larger_one(double mu, double stiffness) {
   Random random(1);
   SolidStack stack({random_brick({6, 6, 3}, {0.4, 0.3, 0}, {2, 1.3, 1}, random),
                     random_brick({9, 6, 3}, {0, 0, -1}, {3, 2, 1}, random)},
                    mu);
   stiffen(stiffness, stack);
-  SolidProblem& problem = stack.problem;
-  problem.move(stack.label(1, low_z),
-               [](const Vector3d&) { return Vector3d::Zero(); });
-  problem.move(stack.label(0, high_z), [](const Vector3d& x) {
+  stack.problem.move(stack.label(1, low_z),
+                     [](const Vector3d&) { return Vector3d::Zero(); });
+  return stack;
+}
+
+/// The same, its top moved down, along and about y.
+inline SolidStack block_on_a_block(double mu, double stiffness) {
+  SolidStack stack = brick_on_a_larger_one(mu, stiffness);
+  stack.problem.move(stack.label(0, high_z), [](const Vector3d& x) {
     return Vector3d(2e-3, 1e-3, -1e-3 * (x.x() - 0.8));
   });
   return stack;

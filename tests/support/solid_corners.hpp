@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ffcontact/contact/multigrid/surface_unknowns.hpp"
 #include "ffcontact/linear/norms.hpp"
 #include "support/by_multigrid.hpp"
 #include "support/cut_solids.hpp"
@@ -103,19 +104,22 @@ struct SolidCorner {
 
 /// A brick on a larger one, a side of it moved, which holds a part of its contact surface.
 inline SolidStack brick_with_a_moved_side(double mu, double stiffness) {
-  Random random(1);
-  SolidStack stack({random_brick({6, 6, 3}, {0.4, 0.3, 0}, {2, 1.3, 1}, random),
-                    random_brick({9, 6, 3}, {0, 0, -1}, {3, 2, 1}, random)},
-                   mu);
-  stiffen(stiffness, stack);
+  SolidStack stack = brick_on_a_larger_one(mu, stiffness);
   SolidProblem& problem = stack.problem;
-  problem.move(stack.label(1, low_z),
-               [](const Vector3d&) { return Vector3d::Zero(); });
   problem.move(stack.label(0, low_x),
                [](const Vector3d&) { return Vector3d(2e-3, 1e-3, -1e-3); });
   problem.load(stack.label(0, high_z), {0, 0, -5});
   return stack;
 }
+
+/// The unknowns of multigrid for a problem, which outlives them.
+struct ProblemUnknowns {
+  const SolidProblem& problem;
+  ElasticSystem system = problem.system();
+  SurfaceTrace trace = surface_trace(problem.surface, problem.law, system);
+  SurfaceUnknowns unknowns =
+      surface_unknowns(problem.surface, trace, problem.law.layer, system);
+};
 
 /// Is the vertex of a node one of another node, too?
 inline std::vector<bool> shares_its_vertex(const ContactSurface& surface) {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/checks/balance.hpp"
 #include "ffcontact/contact/checks/feasibility.hpp"
 #include "ffcontact/contact/checks/line_balance.hpp"
@@ -12,25 +11,13 @@
 
 namespace ffcontact {
 
-namespace {
-
-void require_sound(const Mesh& mesh, const ContactLine& line,
-                   const ContactLaw<2>& law, const ElasticSystem& system,
-                   const ContactSettings& settings) {
-  require_valid(law, line);
-  require_size("A", system.dof_count(), 2 * mesh.vertices.cols());
-  require_valid(settings, line.node_count());
-  require_feasible(mesh, line, law, system);
-  require_balance(mesh, line, law, system);
-}
-
-}  // namespace
-
 ContactSolution<2> solve_contact(const Mesh& mesh, const ContactLine& line,
                                  const ContactLaw<2>& law,
                                  const ElasticSystem& system,
                                  const ContactSettings& settings) {
-  require_sound(mesh, line, law, system, settings);
+  require_valid(mesh, line, law, system, settings);
+  require_feasible(mesh, line, law, system);
+  require_balance(mesh, line, law, system);
   const StatedContact<2> stated = stated_on_line(line, law, system, settings);
   const auto stiffness =
       prepared_stiffness(contact_dofs(line, system), system, settings);

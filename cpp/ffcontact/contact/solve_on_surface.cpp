@@ -18,15 +18,6 @@ namespace ffcontact {
 
 namespace {
 
-void require_sound(const SolidMesh& mesh, const ContactSurface& surface,
-                   const ContactLaw<3>& law, const ElasticSystem& system,
-                   const ContactSettings& settings) {
-  require_valid(law, surface);
-  require_size("A", system.dof_count(), 3 * mesh.vertices.cols());
-  require_valid(settings, surface.node_count());
-  require_balance(mesh, surface, law, system);
-}
-
 /// Single precision where it pays and prescribed displacements hold the body.
 bool takes_single_precision(const SolidMesh& mesh, const ElasticSystem& system,
                             const ContactSettings& settings) {
@@ -117,7 +108,8 @@ ContactSolution<3> solve_contact(const SolidMesh& mesh,
                                  const ContactLaw<3>& law,
                                  const ElasticSystem& system,
                                  const ContactSettings& settings) {
-  require_sound(mesh, surface, law, system, settings);
+  require_valid(mesh, surface, law, system, settings);
+  require_balance(mesh, surface, law, system);
   SurfaceTrace trace = surface_trace(surface, law, system);
   trace.trace.free_motions =
       unheld_motions(mesh, system)(trace.trace.kept_dofs, Eigen::all);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/contact_settings.hpp"
 #include "ffcontact/contact/law/cones_of_law.hpp"
 #include "ffcontact/contact/law/held_rows.hpp"
@@ -44,6 +45,16 @@ struct StatedContact {
   Flags idle() const;
   double largest_weight() const;
 };
+
+/// @throws std::invalid_argument  if law, sizes or settings do not fit
+template <int d>
+void require_valid(const SimplexMesh<d>& mesh, const LineOrSurface<d>& contact,
+                   const ContactLaw<d>& law, const ElasticSystem& system,
+                   const ContactSettings& settings) {
+  require_valid(law, contact);
+  require_size("A", system.dof_count(), d * mesh.vertices.cols());
+  require_valid(settings, contact.node_count());
+}
 
 /// On a line, with its held rows. All of them outlive it.
 inline StatedContact<2> stated_on_line(const ContactLine& line,

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "ffcontact/contact/multigrid/surface_unknowns.hpp"
 #include "ffcontact/linear/norms.hpp"
 #include "support/solid_corners.hpp"
 #include "support/turning.hpp"
@@ -12,14 +11,6 @@ namespace ffcontact {
 namespace {
 
 using namespace test;
-
-struct Unknowns {
-  const SolidProblem& problem;
-  ElasticSystem system = problem.system();
-  SurfaceTrace trace = surface_trace(problem.surface, problem.law, system);
-  SurfaceUnknowns unknowns =
-      surface_unknowns(problem.surface, trace, problem.law.layer, system);
-};
 
 /// On edges and in corners, along planes of symmetry and between moved supports.
 std::vector<SolidProblem> problems_with_shared_vertices() {
@@ -40,7 +31,7 @@ std::vector<SolidProblem> problems_with_shared_vertices() {
 TEST(SharedVertex, moves_its_rows_and_has_its_displacement) {
   Random random(2);
   for (const SolidProblem& problem : problems_with_shared_vertices()) {
-    const Unknowns of{problem};
+    const ProblemUnknowns of{problem};
     ASSERT_FALSE(of.unknowns.shared.empty());
     const VectorXd u =
         on_free_dofs(of.system, random_vector(of.system.dof_count(), random));
@@ -65,7 +56,7 @@ TEST(SharedVertex, moves_its_rows_and_has_its_displacement) {
 TEST(SharedVertex, hands_on_the_forces_of_its_rows) {
   Random random(3);
   for (const SolidProblem& problem : problems_with_shared_vertices()) {
-    const Unknowns of{problem};
+    const ProblemUnknowns of{problem};
     VectorXd P = random_vector(3 * problem.surface.node_count(), random);
     for (Index row = 0; row < P.size(); ++row)
       if (of.trace.held[row]) P[row] = 0;
@@ -86,7 +77,7 @@ TEST(SharedVertex, hands_on_the_forces_of_its_rows) {
 /// Of bodies as stiff as 1 at each dof a spring along v is so much beside E'E.
 TEST(SharedVertex, knows_what_is_stiff_beside_the_bodies) {
   for (const SolidProblem& problem : problems_with_shared_vertices()) {
-    Unknowns of{problem};
+    ProblemUnknowns of{problem};
     of.system.stiffness.setIdentity();
     for (const SharedVertex& shared :
          shared_vertices(problem.surface, of.trace,
@@ -104,7 +95,8 @@ TEST(SharedVertex, knows_what_is_stiff_beside_the_bodies) {
 TEST(SharedVertex, orders_its_rows) {
   Random random(4);
   const SolidCorner corner(2, 0, random);
-  for (const SharedVertex& shared : Unknowns{corner.problem}.unknowns.shared) {
+  for (const SharedVertex& shared :
+       ProblemUnknowns{corner.problem}.unknowns.shared) {
     int normals = 0;
     for (int k = 0; k < shared.own; ++k) normals += shared.rows[k] % 3 == 0;
     EXPECT_EQ(normals, shared.row_count() / 3);
@@ -122,7 +114,7 @@ TEST(SharedVertex, does_not_couple_a_vertex_with_itself) {
   Random random(1);
   SolidProblem problem = SolidCorner::of_matching_meshes(0).problem;
   problem.surface = turned_at_random(problem.surface, 0.3, random);
-  const Unknowns of{problem};
+  const ProblemUnknowns of{problem};
   EXPECT_FALSE(of.unknowns.shared.empty());
   for (const SharedVertex& shared : of.unknowns.shared)
     EXPECT_EQ(shared.coupling, 0);

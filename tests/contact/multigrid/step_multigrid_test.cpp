@@ -14,12 +14,7 @@ namespace {
 using namespace test;
 
 /// Steps of a problem whose nodes are open or not, and stick or slip along an axis.
-struct Steps {
-  const SolidProblem& problem;
-  ElasticSystem system = problem.system();
-  SurfaceTrace trace = surface_trace(problem.surface, problem.law, system);
-  SurfaceUnknowns unknowns =
-      surface_unknowns(problem.surface, trace, problem.law.layer, system);
+struct Steps : ProblemUnknowns {
   StepMultigrid step{system, problem.mesh.vertices, unknowns};
   SharedRows shared{unknowns.shared};
 
