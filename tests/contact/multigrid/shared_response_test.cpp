@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ffcontact/contact/law/cones_of_law.hpp"
 #include "ffcontact/contact/multigrid/surface_unknowns.hpp"
 #include "ffcontact/linear/norms.hpp"
 #include "support/solid_corners.hpp"

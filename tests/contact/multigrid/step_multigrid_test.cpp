@@ -77,7 +77,7 @@ TEST(StepMultigrid, needs_few_products_along_an_edge) {
   Random random(1);
   SolidProblem problem(brick({3, 40, 2}, {3, 40, 2}), 0, {low_z, low_x});
   problem.move(high_z, [](const Vector3d&) { return Vector3d::Zero(); });
-  Steps steps{problem};
+  Steps steps{{problem}};
   for (const NodeState& floor : {opens(), slips(), sticks()})
     for (const NodeState& wall : {opens(), slips(), sticks()}) {
       const auto states = states_of(problem.surface, floor, wall);
@@ -89,7 +89,7 @@ TEST(StepMultigrid, needs_few_products_along_an_edge) {
 TEST(StepMultigrid, needs_few_products_where_rows_couple) {
   Random random(1);
   const SolidCorner corner(2, 0, random, 6);
-  Steps steps{corner.problem};
+  Steps steps{{corner.problem}};
   const auto states = states_of(corner.problem.surface, sticks(), sticks());
   EXPECT_LE(steps.products(states, random), 65);
 }
