@@ -8,7 +8,7 @@
 
 #include "ffcontact/sizing/optimal_size.hpp"
 //
-#include "estimate/plane_error.hpp"
+#include "estimate/contact_error.hpp"
 #include "gmsh/gmsh_reader.hpp"
 #include "parallel/processes.hpp"
 #include "problem/contact_type.hpp"
@@ -26,7 +26,7 @@ struct ContactStatement {
 };
 
 /// contacterror of plane bodies, with what is to read their data.
-using JudgePlane = std::function<double(const ReadPlane& read)>;
+using JudgePlane = std::function<double(const ReadBodies<2>& read)>;
 
 /// What the module ffcontact_solids does: contacts of a mesh3, and those that processes
 /// share. A script of plane bodies on one process runs without it. What the plane bodies
@@ -51,7 +51,7 @@ class Solids {
 
   /// contactbounds; returns the relative width.
   virtual double bounds(const BoundsCall& call,
-                        const SolidContact& contact) const = 0;
+                        const ContactOf<3>& contact) const = 0;
 
   /// optimalsize.
   /// @param arrays  eps_E and q_E of all cells
@@ -67,7 +67,7 @@ class Solids {
 
   /// contactpicture.
   virtual void draw(const std::filesystem::path& folder, long step,
-                    const SolidContact& contact) const = 0;
+                    const ContactOf<3>& contact) const = 0;
 
   /// meshquality [tetrahedra].
   virtual VectorXd quality(pmesh3 mesh) const = 0;

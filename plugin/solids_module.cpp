@@ -6,7 +6,6 @@
 //
 #include "estimate/bounds_call.hpp"
 #include "estimate/material_and_loads.hpp"
-#include "estimate/solid_error.hpp"
 #include "freefem/new_mesh.hpp"
 #include "freefem/read_mesh.hpp"
 #include "gmsh/gmsh_program.hpp"
@@ -15,9 +14,8 @@
 #include "parallel/shared_solve.hpp"
 #include "parallel/shared_statement.hpp"
 #include "pictures/solid_picture_files.hpp"
-#include "problem/result_names.hpp"
 #include "solids.hpp"
-#include "solve/solid_solve.hpp"
+#include "solve/contact_solve.hpp"
 
 namespace ffcontact::plugin {
 
@@ -49,6 +47,13 @@ Solid solid_of(pmesh3 Th) {
   return solid;
 }
 
+template <int d>
+ReadBodies<d> reader(Stack stack, const NamedArguments& named) {
+  return [&named, stack](const Bodies<d>& bodies, SolvedBody<d>& body) {
+    return read_material_and_loads<d>(stack, named, bodies, body);
+  };
+}
+
 class SolidsModule : public Solids {
  public:
   ContactStatement stated(Stack stack, const NamedArguments& named,
@@ -63,29 +68,27 @@ class SolidsModule : public Solids {
 
   long solve(const SolveCall& call, Contact& contact) const override {
     return contact.shared ? solve_shared(call, contact)
-                          : solve_solid(call, *contact.solid);
+                          : solve_here(call, *contact.solid);
   }
 
   double error(Stack stack, const NamedArguments& named, Contact& contact,
                const JudgePlane& judge) const override {
-    const ReadPlane plane = [&](const Bodies<2>& bodies, SolvedBody<2>& body) {
-      return read_material_and_loads<2>(stack, named, bodies, body);
-    };
-    const ReadSolids read = [&](const Bodies<3>& bodies, SolvedBody<3>& body) {
-      return read_material_and_loads<3>(stack, named, bodies, body);
-    };
-    if (!contact.shared) return solid_error(stack, named, *contact.solid, read);
+    const ReadBodies<2> plane = reader<2>(stack, named);
+    const ReadBodies<3> read = reader<3>(stack, named);
+    if (!contact.shared)
+      return contact_error(stack, named, *contact.solid, read);
     SharedContact& shared = *contact.shared;
-    if (shared.plane) return error_shared(stack, named, shared, plane, judge);
-    return error_shared(stack, named, shared, read,
-                        [&](const ReadSolids& whole) {
-                          return solid_error(stack, named, *contact.solid,
-                                             whole, relax_shared(shared));
-                        });
+    if (shared.plane)
+      return error_shared<2>(stack, named, shared, plane, judge);
+    return error_shared<3>(stack, named, shared, read,
+                           [&](const ReadBodies<3>& whole) {
+                             return contact_error(stack, named, *contact.solid,
+                                                  whole, relax_shared(shared));
+                           });
   }
 
   double bounds(const BoundsCall& call,
-                const SolidContact& contact) const override {
+                const ContactOf<3>& contact) const override {
     return solid_bounds(call, contact);
   }
 
@@ -106,10 +109,9 @@ class SolidsModule : public Solids {
   }
 
   void draw(const std::filesystem::path& folder, long step,
-            const SolidContact& contact) const override {
-    if (!contact.solved) refuse_unsolved();
-    if (mpirank == 0)
-      write_pictures(folder, step, *contact.problem, *contact.solved);
+            const ContactOf<3>& contact) const override {
+    const SolvedContact<3>& solved = solved_contact(contact);
+    if (mpirank == 0) write_pictures(folder, step, *contact.problem, solved);
   }
 
   VectorXd quality(pmesh3 mesh) const override {

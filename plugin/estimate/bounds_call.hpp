@@ -7,7 +7,6 @@
 //
 #include "freefem/arguments.hpp"
 #include "problem/contact_type.hpp"
-#include "problem/solid_contact.hpp"
 
 namespace ffcontact::plugin {
 
@@ -45,7 +44,7 @@ struct BoundsCall {
 
 /// contactbounds of what contactsolve found, of plane bodies and of solids.
 /// @return (upper - lower) / |midpoint|
-double plane_bounds(const BoundsCall& call, const Contact& contact);
-double solid_bounds(const BoundsCall& call, const SolidContact& contact);
+double plane_bounds(const BoundsCall& call, const ContactOf<2>& contact);
+double solid_bounds(const BoundsCall& call, const ContactOf<3>& contact);
 
 }  // namespace ffcontact::plugin

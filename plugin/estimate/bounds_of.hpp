@@ -7,6 +7,7 @@
 #include "ffcontact/estimate/estimate.hpp"
 //
 #include "estimate/bounds_call.hpp"
+#include "estimate/contact_error.hpp"
 #include "estimate/estimate_outputs.hpp"
 #include "estimate/goal.hpp"
 #include "freefem/stopwatch.hpp"
@@ -66,13 +67,14 @@ inline void report(const QuantityBounds& bounds, double seconds) {
   cout << ", " << seconds << " s" << endl;
 }
 
-/// @param body  what contactsolve found, without its elastic law and its loads
 template <int d>
 double bounds_of(const BoundsCall& call, const BoundSettings& settings,
-                 const Bodies<d>& bodies, const Topology<d>& topology,
-                 const LineOrSurface<d>& contact, const ElasticSystem& system,
-                 SolvedBody<d> body) {
+                 const ContactProblem<d>& bodies, Judged<d> judged) {
   const Stopwatch watch;
+  const Topology<d>& topology = bodies.topology();
+  const LineOrSurface<d>& contact = bodies.contact;
+  const ElasticSystem& system = *judged.system;
+  SolvedBody<d>& body = judged.body;
   require_linear<d>(call.stack, call.named, bodies, "traction");
   const Oscillation data =
       read_material_and_loads<d>(call.stack, call.named, bodies, body);

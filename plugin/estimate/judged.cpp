@@ -4,35 +4,46 @@
 #include <utility>
 
 #include "ffcontact/contact/law/nodal_pressures.hpp"
-#include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact::plugin {
 
-void Judged::factorise(const ContactLine& line) {
-  if (!body.stiffness)
-    body.stiffness = std::make_shared<const CondensedStiffness>(
-        *system, contact_dofs(line, *system));
-}
+namespace {
 
-Judged judged_of(const SolvedContact& solved) {
-  const ContactSolution<2>& solution = solved.solution;
-  Judged judged;
+/// But for the multipliers.
+template <int d>
+Judged<d> judged_body(const SolvedContact<d>& solved) {
+  const ContactSolution<d>& solution = solved.solution;
+  Judged<d> judged;
   judged.system = solved.system;
   judged.body.displacement = solution.displacement;
-  judged.body.multipliers = solution.pressure;
   judged.body.law = solved.law;
   judged.body.stiffness = solution.stiffness;
   judged.body.body_loads = solved.holding;
-  judged.body.tool = solved.driven;
-  judged.forces = contact_forces(solved.law, solution);
-  judged.contact = solution.contact;
+  if (solved.moved) judged.body.tool = solved.moved->tool;
   return judged;
 }
 
-Judged judged_of(const ContactProblem<2>& problem, ElasticSystem system,
-                 VectorXd displacement, Multiplier multiplier,
-                 const Matrix2Xd& pressures) {
-  Judged judged;
+}  // namespace
+
+Judged<2> judged_of(const SolvedContact<2>& solved) {
+  Judged<2> judged = judged_body(solved);
+  judged.body.multipliers = solved.solution.pressure;
+  judged.forces = contact_forces(solved.law, solved.solution);
+  judged.contact = solved.solution.contact;
+  return judged;
+}
+
+Judged<3> judged_of(const SolvedContact<3>& solved) {
+  Judged<3> judged = judged_body(solved);
+  judged.body.multipliers = solved.solution.force;
+  judged.state = solved.solution.state;
+  return judged;
+}
+
+Judged<2> judged_of(const ContactProblem<2>& problem, ElasticSystem system,
+                    VectorXd displacement, Multiplier multiplier,
+                    const Matrix2Xd& pressures) {
+  Judged<2> judged;
   judged.system = std::make_shared<const ElasticSystem>(std::move(system));
   SolvedBody<2>& body = judged.body;
   body.displacement = std::move(displacement);
@@ -44,24 +55,19 @@ Judged judged_of(const ContactProblem<2>& problem, ElasticSystem system,
   return judged;
 }
 
+void factorise(const ContactLine& line, Judged<2>& judged) {
+  if (!judged.body.stiffness)
+    judged.body.stiffness = std::make_shared<const CondensedStiffness>(
+        *judged.system, contact_dofs(line, *judged.system));
+}
+
 CoulombConstant coulomb_constant_of(const ContactLine& line,
-                                    const Judged& judged, StuckNodes stuck) {
+                                    const Judged<2>& judged, StuckNodes stuck) {
   const SolvedBody<2>& body = judged.body;
   const auto contact = contact_of_forces(line, body.law, *judged.system,
                                          *body.stiffness, judged.contact);
   return coulomb_constant_of(line, body.law, *contact, body.displacement,
                              judged.forces, stuck);
-}
-
-CoulombBound coulomb_bound_of(const ContactLine& line, const Judged& judged,
-                              const Estimate<2>& estimate, StuckNodes stuck) {
-  const CoulombConstant constant = coulomb_constant_of(line, judged, stuck);
-  const double e = estimate.e + estimate.oscillation;
-  return {constant,
-          estimate.admissible
-              ? coulomb_bound(e, constant.friction, constant.kappa)
-              : infinity,
-          stuck};
 }
 
 }  // namespace ffcontact::plugin

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <utility>
+
 #include "ffcontact/bounds/boundable_problem.hpp"
 //
 #include "estimate/bounds_of.hpp"
-#include "estimate/judged.hpp"
 
 namespace ffcontact::plugin {
 
@@ -10,9 +11,9 @@ namespace {
 
 /// mu kappa, and what it rests on.
 double friction_share(const BoundsCall& call, const ContactLine& line,
-                      Judged& judged) {
+                      Judged<2>& judged) {
   const StuckNodes stuck = stuck_nodes_of(call.stack, call.named);
-  judged.factorise(line);
+  factorise(line, judged);
   const auto [kappa, friction] = coulomb_constant_of(line, judged, stuck);
   if (call.reports())
     cout << "contactbounds: mu kappa " << friction * kappa << ", "
@@ -23,18 +24,17 @@ double friction_share(const BoundsCall& call, const ContactLine& line,
 
 }  // namespace
 
-double plane_bounds(const BoundsCall& call, const Contact& contact) {
-  const ContactProblem<2>& problem = plane_problem(contact);
-  Judged judged = judged_of(solved_contact(contact));
+double plane_bounds(const BoundsCall& call, const ContactOf<2>& contact) {
+  Judged<2> judged = judged_of(solved_contact(contact));
   BoundSettings settings = call.settings(8, 1);
   if (call.named.flag(call.stack, "coulomb") &&
       is_coulombs<2>(judged.body.law)) {
-    settings.friction_share = friction_share(call, problem.contact, judged);
+    settings.friction_share =
+        friction_share(call, contact.problem->contact, judged);
     // turns gain more where mu kappa is near 1
     if (!call.named.given("turns")) ++settings.turns;
   }
-  return bounds_of<2>(call, settings, problem, problem.topology(),
-                      problem.contact, *judged.system, judged.body);
+  return bounds_of(call, settings, *contact.problem, std::move(judged));
 }
 
 }  // namespace ffcontact::plugin

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "estimate/bounds_of.hpp"
-#include "estimate/solid_error.hpp"
-#include "problem/result_names.hpp"
 
 namespace ffcontact::plugin {
 
-double solid_bounds(const BoundsCall& call, const SolidContact& contact) {
-  if (!contact.solved) refuse_unsolved();
-  const ContactProblem<3>& problem = *contact.problem;
-  return bounds_of<3>(call, call.settings(4, steps_of_a_sweep), problem,
-                      topology_of(problem.mesh, problem.facets),
-                      problem.contact, *contact.solved->system,
-                      judged_body(*contact.solved));
+double solid_bounds(const BoundsCall& call, const ContactOf<3>& contact) {
+  return bounds_of(call, call.settings(4, steps_of_a_sweep<3>),
+                   *contact.problem, judged_of(solved_contact(contact)));
 }
 
 }  // namespace ffcontact::plugin

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "freefem/guard.hpp"
-#include "problem/nodal_results.hpp"
 #include "registration.hpp"
 #include "solids.hpp"
-#include "solve/plane_solve.hpp"
+#include "solve/contact_solve.hpp"
 
 namespace ffcontact::plugin {
 
@@ -53,8 +52,8 @@ class ContactSolve : public E_F0mps {
         {"status", &typeid(long*)},         {"history", &typeid(KN<double>*)},
         {"opennodes", &typeid(long*)},      {"sticknodes", &typeid(long*)},
         {"slipnodes", &typeid(long*)}};
-    for (const NodalArray& array : nodal_arrays)
-      table.push_back({array.name, &typeid(KN<double>*)});
+    for (const char* name : all_nodal_names())
+      table.push_back({name, &typeid(KN<double>*)});
     return table;
   }
 
@@ -68,7 +67,7 @@ class ContactSolve : public E_F0mps {
                          values_of<KN<double>*>(stack, displacement_),
                          watch};
     return contact.shared || contact.solid ? solids().solve(call, contact)
-                                           : solve_plane(call, contact);
+                                           : solve_here<2>(call, contact);
   }
 
   NamedArguments named_;

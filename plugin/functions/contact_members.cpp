@@ -7,7 +7,6 @@
 #include "parallel/shared_contact.hpp"
 #include "problem/contact_type.hpp"
 #include "problem/result_names.hpp"
-#include "problem/solid_contact.hpp"
 #include "registration.hpp"
 
 namespace ffcontact::plugin {
@@ -22,11 +21,6 @@ KN<Value>* array_of(Stack stack, const Values& values) {
   return Add2StackOfPtr2Free(stack, array);
 }
 
-const SolvedSolid& solved_solid(const Contact& contact) {
-  if (!contact.solid->solved) refuse_unsolved();
-  return *contact.solid->solved;
-}
-
 const Contact& stated_contact_of(const ContactVariable& variable) {
   const Contact& contact = contact_of(variable);
   require_stated(contact);
@@ -37,58 +31,45 @@ bool is_solid(const Contact& contact) {
   return contact.solid || (contact.shared && contact.shared->solid);
 }
 
-const ShownNodes& solved_here(const Contact& contact) {
-  if (!contact.shared->shown.solved) refuse_unsolved();
-  return contact.shared->shown;
-}
-
-const NodalResults& plane_results(const Contact& contact) {
-  if (is_solid(contact)) refuse_result_of_plane_bodies();
-  return contact.shared ? solved_here(contact).plane
-                        : solved_contact(contact).nodes;
-}
-
-const SolidResults& solid_results(const Contact& contact) {
-  if (!is_solid(contact)) refuse_result_of_solids();
-  return contact.shared ? solved_here(contact).solid
-                        : solved_solid(contact).nodes;
-}
-
-const VectorXd& nodal_values(const NodalArray& array, const Contact& contact) {
-  if (!array.plane || (array.solid && is_solid(contact)))
-    return *array.in(solid_results(contact));
-  return *array.in(plane_results(contact));
+const NodalResults& results_of(const Contact& contact) {
+  if (contact.shared) {
+    if (!contact.shared->shown.solved) refuse_unsolved();
+    return *contact.shared->shown.solved;
+  }
+  return contact.solid ? solved_contact(*contact.solid).nodes
+                       : solved_contact<2>(contact).nodes;
 }
 
 template <std::size_t k>
-KN<double>* nodal_array(Stack stack, ContactVariable* const& variable) {
+KN<double>* nodal_values(Stack stack, ContactVariable* const& variable) {
   return guarded("contact", [&] {
-    return array_of<double>(
-        stack, nodal_values(nodal_arrays[k], stated_contact_of(*variable)));
+    const Contact& contact = stated_contact_of(*variable);
+    const int dimension = is_solid(contact) ? 3 : 2,
+              column = nodal_column(dimension, all_nodal_names()[k]);
+    if (column < 0) refuse_result_of_others(dimension);
+    return array_of<double>(stack, results_of(contact).values.col(column));
   });
 }
 
 KN<long>* states(Stack stack, ContactVariable* const& variable) {
   return guarded("contact", [&] {
-    const Contact& contact = stated_contact_of(*variable);
-    return array_of<long>(stack, is_solid(contact)
-                                     ? solid_results(contact).state
-                                     : plane_results(contact).state);
+    return array_of<long>(stack,
+                          results_of(stated_contact_of(*variable)).state);
   });
 }
 
 /// One column a node.
 MatrixXd normals_of(const Contact& contact) {
   if (contact.shared) return contact.shared->shown.normal;
-  return contact.solid ? MatrixXd(contact.solid->problem->contact.normal)
-                       : MatrixXd(contact.problem->own_normal);
+  return contact.solid ? MatrixXd(contact.solid->problem->own_normals())
+                       : MatrixXd(contact.problem->own_normals());
 }
 
 template <int component>
 KN<double>* normals(Stack stack, ContactVariable* const& variable) {
   return guarded("contact", [&] {
     const Contact& contact = stated_contact_of(*variable);
-    if (component == 2 && !is_solid(contact)) refuse_result_of_solids();
+    if (component == 2 && !is_solid(contact)) refuse_result_of_others(2);
     const VectorXd values = normals_of(contact).row(component);
     return array_of<double>(stack, values);
   });
@@ -97,7 +78,7 @@ KN<double>* normals(Stack stack, ContactVariable* const& variable) {
 KN<double>* abscissae(Stack stack, ContactVariable* const& variable) {
   return guarded("contact", [&] {
     const Contact& contact = stated_contact_of(*variable);
-    if (is_solid(contact)) refuse_result_of_plane_bodies();
+    if (is_solid(contact)) refuse_result_of_others(3);
     return array_of<double>(stack, contact.shared
                                        ? contact.shared->shown.abscissa
                                        : contact.problem->abscissa);
@@ -125,14 +106,14 @@ void add_member(const char* name,
 }
 
 template <std::size_t... k>
-void add_nodal_arrays(std::index_sequence<k...>) {
-  (add_member(nodal_arrays[k].name, nodal_array<k>), ...);
+void add_nodal_values(std::index_sequence<k...>) {
+  (add_member(all_nodal_names()[k], nodal_values<k>), ...);
 }
 
 }  // namespace
 
 void register_contact_members() {
-  add_nodal_arrays(std::make_index_sequence<nodal_arrays.size()>());
+  add_nodal_values(std::make_index_sequence<nodal_names<3>.size() + 3>());
   add_member("nx", normals<0>);
   add_member("ny", normals<1>);
   add_member("nz", normals<2>);

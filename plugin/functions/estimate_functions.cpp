@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/base/require.hpp"
 //
+#include "estimate/contact_error.hpp"
 #include "estimate/material_and_loads.hpp"
-#include "estimate/plane_error.hpp"
 #include "freefem/guard.hpp"
 #include "parallel/shared_contact.hpp"
-#include "problem/solid_contact.hpp"
 #include "problem/systems.hpp"
 #include "registration.hpp"
 #include "solids.hpp"
@@ -106,7 +105,7 @@ class ContactErrorFunction : public E_F0mps {
           "that of a mesh3, which contacterror judges by what contactsolve "
           "found: contacterror(C, lambda=, G=, ...)");
     require_names_of_bodies(named_, estimates_of_bodies, body_count(contact));
-    const JudgePlane judge = [&](const ReadPlane& read) {
+    const JudgePlane judge = [&](const ReadBodies<2>& read) {
       return plane_run(stack, contact, read);
     };
     return contact.shared || contact.solid
@@ -124,36 +123,33 @@ class ContactErrorFunction : public E_F0mps {
     if (!matrix_.empty()) refuse("the contact is ", kind);
   }
 
-  ReadPlane plane_reader(Stack stack) const {
+  ReadBodies<2> plane_reader(Stack stack) const {
     return [this, stack](const Bodies<2>& bodies, SolvedBody<2>& body) {
       return read_material_and_loads<2>(stack, named_, bodies, body);
     };
   }
 
-  double plane_run(Stack stack, Contact& contact, const ReadPlane& read) const {
-    Estimate<2> estimate = plane_error(
-        stack, named_, *contact.problem,
-        [&] {
-          return matrix_.empty() ? own_solution(contact)
-                                 : given_solution(stack, *contact.problem);
-        },
-        read);
-    const double relative = estimate.relative;
-    if (matrix_.empty())
-      contact.solved->estimate =
-          std::make_shared<const Estimate<2>>(std::move(estimate));
-    return relative;
+  double plane_run(Stack stack, ContactOf<2>& contact,
+                   const ReadBodies<2>& read) const {
+    if (matrix_.empty()) {
+      require_no_multiplier();
+      return contact_error<2>(stack, named_, contact, read);
+    }
+    return contact_error<2>(
+               stack, named_, *contact.problem,
+               [&] { return given_solution(stack, *contact.problem); }, read)
+        .estimate.relative;
   }
 
-  Judged own_solution(const Contact& contact) const {
+  void require_no_multiplier() const {
     if (named_.given("multiplier"))
       refuse(
           "multiplier= is given, but pn and pt are not: it is known from "
           "contactsolve");
-    return judged_of(solved_contact(contact));
   }
 
-  Judged given_solution(Stack stack, const ContactProblem<2>& problem) const {
+  Judged<2> given_solution(Stack stack,
+                           const ContactProblem<2>& problem) const {
     problem.require_bodies("A, u", matrix_.size());
     std::vector<ElasticSystem> systems;
     for (int k = 0; k < problem.body_count(); ++k) {
@@ -163,13 +159,13 @@ class ContactErrorFunction : public E_F0mps {
     const Matrix2Xd pressures =
         pressures_of(problem, value_of<KN<double>*>(stack, normal_),
                      value_of<KN<double>*>(stack, tangential_));
-    Judged judged =
+    Judged<2> judged =
         judged_of(problem, joined(std::move(systems)),
                   joined_displacement(
                       problem, values_of<KN<double>*>(stack, displacement_)),
                   multiplier_of(stack, named_), pressures);
     // for the estimate, too
-    if (wants_bound(named_)) judged.factorise(problem.contact);
+    if (wants_bound(named_)) factorise(problem.contact, judged);
     return judged;
   }
 

@@ -41,7 +41,7 @@ class ContactPicture : public E_F0mps {
     if (contact.solid) {
       solids().draw(folder, step, *contact.solid);
     } else {
-      const SolvedContact& solved = solved_contact(contact);
+      const SolvedContact<2>& solved = solved_contact<2>(contact);
       if (mpirank == 0) write_pictures(folder, step, *contact.problem, solved);
     }
     return 0;

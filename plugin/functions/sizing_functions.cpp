@@ -7,7 +7,6 @@
 #include "freefem/views.hpp"
 #include "parallel/shared_contact.hpp"
 #include "problem/contact_type.hpp"
-#include "problem/solid_contact.hpp"
 #include "registration.hpp"
 #include "solids.hpp"
 

@@ -2,7 +2,6 @@
 #include "freefem/guard.hpp"
 #include "problem/contact_statement.hpp"
 #include "problem/contact_type.hpp"
-#include "problem/solid_contact.hpp"
 #include "registration.hpp"
 #include "solids.hpp"
 
@@ -41,24 +40,17 @@ class StatementArguments {
   std::vector<Expression> meshes_;
 };
 
-std::shared_ptr<SolidContact> restated(
-    std::shared_ptr<SolidContact> contact,
-    std::shared_ptr<ContactProblem<3>> problem) {
-  if (!problem) return nullptr;
-  if (!contact) contact = std::make_shared<SolidContact>();
-  contact->problem = std::move(problem);
-  contact->solved.reset();
-  return contact;
-}
-
 /// A new problem in a variable: the last states stay, to start from.
 void state(ContactVariable* variable, ContactStatement statement) {
   Contact& contact = contact_of(*variable);
-  contact.solved.reset();
-  contact.problem = std::move(statement.plane);
+  contact.state(std::move(statement.plane));
   contact.shared = std::move(statement.shared);
-  contact.solid =
-      restated(std::move(contact.solid), std::move(statement.solid));
+  if (!statement.solid) {
+    contact.solid = nullptr;
+    return;
+  }
+  if (!contact.solid) contact.solid = std::make_shared<ContactOf<3>>();
+  contact.solid->state(std::move(statement.solid));
 }
 
 /// contact C(Th, label=, friction=, ...);   contact C(T1, T2, label1=, label2=, friction=, ...);

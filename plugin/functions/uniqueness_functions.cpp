@@ -34,7 +34,7 @@ class CriticalFriction : public E_F0mps {
  private:
   double run(Stack stack) const {
     const Contact& contact = stated_contact(stack, contact_);
-    const SolvedContact& solved = solved_contact(contact);
+    const SolvedContact<2>& solved = solved_contact<2>(contact);
     const StuckNodes stuck = stuck_nodes_of(stack, named_);
     const double critical = critical_friction_of(*contact.problem, solved);
     const bool reports = named_.verbosity_level(stack) >= 1 && mpirank == 0;

@@ -14,9 +14,7 @@ struct ShownNodes {
   std::vector<long> own_vertex, first_node, side;
   VectorXd abscissa;  ///< of plane bodies
   MatrixXd normal;    ///< [dim x nodes]
-  bool solved = false;
-  NodalResults plane;
-  SolidResults solid;
+  std::optional<NodalResults> solved;
 };
 
 /// What a process knows of a contact that processes share; process 0 has the problem and

@@ -144,29 +144,6 @@ double called(Stack stack, const NamedArguments& named, Team& team,
   return value;
 }
 
-template <int dim, class Body, class Read>
-double error(Stack stack, const NamedArguments& named, SharedContact& contact,
-             const Read& read,
-             const std::function<double(const Read&)>& judge) {
-  const SharedBodies<dim>& bodies = bodies_of<dim>(contact);
-  return called<dim>(
-      stack, named, *contact.team, bodies,
-      [&] {
-        Body body;
-        const auto oscillation = read(bodies.own, body);
-        Packet packet;
-        put(columns_of(body, oscillation), packet);
-        return packet;
-      },
-      [&](std::vector<Packet> packets) {
-        std::vector<ReadColumns> all;
-        for (Packet& packet : packets) all.push_back(read_in(packet));
-        return judge([&](const auto&, Body& body) {
-          return take(joined(all, bodies), body);
-        });
-      });
-}
-
 template <int dim>
 double sizes(Stack stack, const NamedArguments& named, SharedContact& contact,
              const std::vector<VectorXd>& arrays,
@@ -196,17 +173,35 @@ double sizes(Stack stack, const NamedArguments& named, SharedContact& contact,
 
 }  // namespace
 
+template <int d>
 double error_shared(Stack stack, const NamedArguments& named,
-                    SharedContact& contact, const ReadPlane& read,
-                    const std::function<double(const ReadPlane&)>& judge) {
-  return error<2, SolvedBody<2>>(stack, named, contact, read, judge);
+                    SharedContact& contact, const ReadBodies<d>& read,
+                    const std::function<double(const ReadBodies<d>&)>& judge) {
+  const SharedBodies<d>& bodies = bodies_of<d>(contact);
+  return called<d>(
+      stack, named, *contact.team, bodies,
+      [&] {
+        SolvedBody<d> body;
+        const auto oscillation = read(bodies.own, body);
+        Packet packet;
+        put(columns_of(body, oscillation), packet);
+        return packet;
+      },
+      [&](std::vector<Packet> packets) {
+        std::vector<ReadColumns> all;
+        for (Packet& packet : packets) all.push_back(read_in(packet));
+        return judge([&](const auto&, SolvedBody<d>& body) {
+          return take(joined(all, bodies), body);
+        });
+      });
 }
 
-double error_shared(Stack stack, const NamedArguments& named,
-                    SharedContact& contact, const ReadSolids& read,
-                    const std::function<double(const ReadSolids&)>& judge) {
-  return error<3, SolvedBody<3>>(stack, named, contact, read, judge);
-}
+template double error_shared(
+    Stack, const NamedArguments&, SharedContact&, const ReadBodies<2>&,
+    const std::function<double(const ReadBodies<2>&)>&);
+template double error_shared(
+    Stack, const NamedArguments&, SharedContact&, const ReadBodies<3>&,
+    const std::function<double(const ReadBodies<3>&)>&);
 
 RelaxFacets<3> relax_shared(const SharedContact& contact) {
   return [&contact](const FacetSetting<3>& setting,

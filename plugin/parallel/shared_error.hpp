@@ -3,8 +3,7 @@
 
 #include <functional>
 
-#include "estimate/plane_error.hpp"
-#include "estimate/solid_error.hpp"
+#include "estimate/contact_error.hpp"
 #include "parallel/shared_contact.hpp"
 #include "problem/contact_type.hpp"
 
@@ -16,15 +15,11 @@ namespace ffcontact::plugin {
 /// @param read   what the script says of a process's bodies
 /// @param judge  the estimate of the whole, with what it is to read there
 /// @return eps
+template <int d>
 double error_shared(
     Stack stack, const NamedArguments& named, SharedContact& contact,
-    const ReadPlane& read,
-    const std::function<double(const ReadPlane& read_whole)>& judge);
-
-double error_shared(
-    Stack stack, const NamedArguments& named, SharedContact& contact,
-    const ReadSolids& read,
-    const std::function<double(const ReadSolids& read_whole)>& judge);
+    const ReadBodies<d>& read,
+    const std::function<double(const ReadBodies<d>& read_whole)>& judge);
 
 /// The relaxation of a solid by the processes that have its parts, on process 0.
 RelaxFacets<3> relax_shared(const SharedContact& contact);

@@ -12,8 +12,7 @@
 #include "parallel/shared_outputs.hpp"
 #include "parallel/shared_stiffness.hpp"
 #include "parallel/shown_nodes.hpp"
-#include "solve/plane_solve.hpp"
-#include "solve/solid_solve.hpp"
+#include "solve/contact_solve.hpp"
 
 namespace ffcontact::plugin {
 
@@ -70,32 +69,9 @@ Share share_in(Packet& packet) {
   return share;
 }
 
-long solve_whole(const SolveCall& call, Contact& contact,
-                 const SharedBodies<2>&) {
-  return solve_plane(call, contact);
-}
-
-long solve_whole(const SolveCall& call, Contact& contact,
-                 const SharedBodies<3>&) {
-  return solve_solid(call, *contact.solid);
-}
-
-ShownNodes solved_nodes(const Contact& contact, const SharedBodies<2>& bodies,
-                        int rank) {
-  return shown_nodes(*contact.problem, bodies, rank,
-                     contact.solved ? &contact.solved->nodes : nullptr);
-}
-
-ShownNodes solved_nodes(const Contact& contact, const SharedBodies<3>& bodies,
-                        int rank) {
-  const SolidContact& solid = *contact.solid;
-  return shown_nodes(*solid.problem, bodies, rank,
-                     solid.solved ? &solid.solved->nodes : nullptr);
-}
-
 /// Outputs at the nodes are those of ShownNodes.
 void drop_nodal(Outputs& outputs) {
-  for (const NodalArray& array : nodal_arrays) outputs.arrays.erase(array.name);
+  for (const char* name : all_nodal_names()) outputs.arrays.erase(name);
   outputs.arrays.erase("abscissa");
   outputs.integers.clear();
 }
@@ -128,7 +104,8 @@ std::vector<Share> lead(const SolveCall& call, Contact& contact,
   SolveCall whole = call;
   whole.shared = &system;
   NamedArguments::Diverted outputs(call.named);
-  const long iterations = solve_whole(whole, contact, bodies);
+  ContactOf<dim>& joined = contact_in<dim>(contact);
+  const long iterations = solve_here(whole, joined);
   drop_nodal(outputs);
   std::vector<Share> shares;
   const auto dofs = bodies.dofs();
@@ -137,16 +114,11 @@ std::vector<Share> lead(const SolveCall& call, Contact& contact,
     shares.push_back(
         {iterations,
          found ? VectorXd(system.displacement(dofs[r])) : VectorXd(),
-         solved_nodes(contact, bodies, r), outputs_of(outputs, bodies, r)});
+         shown_nodes(*joined.problem, bodies, r,
+                     joined.solved ? &joined.solved->nodes : nullptr),
+         outputs_of(outputs, bodies, r)});
   }
   return shares;
-}
-
-void write_nodes(const SolveCall& call, const ShownNodes& nodes, bool plane) {
-  if (plane)
-    put(call, nodes.own_vertex, nodes.abscissa, nodes.plane);
-  else
-    put(call, nodes.own_vertex, nodes.solid);
 }
 
 template <int dim>
@@ -181,7 +153,8 @@ long solve(const SolveCall& call, Contact& contact) {
   call.named.put(call.stack, share.outputs);
   if (share.displacement.size() == 0) return share.iterations;
   write_displacement(call, bodies.own, share.displacement);
-  write_nodes(call, shared.shown, dim == 2);
+  put(call, shared.shown.own_vertex, shared.shown.abscissa,
+      *shared.shown.solved);
   return share.iterations;
 }
 

@@ -67,61 +67,45 @@ ShownNodes numbered(const ContactProblem<dim>& problem,
   return shown;
 }
 
-template <class Results>
-void choose(const Results& all, const std::vector<int>& nodes,
-            Results& chosen) {
-  for (const NodalArray& array : nodal_arrays)
-    if (const auto* values = array.in(all))
-      *array.in(chosen) = (*values)(nodes);
-  for (int node : nodes) chosen.state.push_back(all.state[node]);
+NodalResults chosen(const NodalResults& all, const std::vector<int>& nodes) {
+  NodalResults results;
+  results.values = all.values(nodes, Eigen::all);
+  for (int node : nodes) results.state.push_back(all.state[node]);
+  return results;
 }
 
-template <class Results>
-void put(const Results& results, Packet& packet) {
-  for (const NodalArray& array : nodal_arrays)
-    if (const auto* values = array.in(results)) packet.put(*values);
-  packet.put(results.state);
+void put_abscissa(const ContactProblem<2>& problem,
+                  const std::vector<int>& nodes, ShownNodes& shown) {
+  shown.abscissa = problem.abscissa(nodes);
 }
-
-template <class Results>
-void take(Packet& packet, Results& results) {
-  for (const NodalArray& array : nodal_arrays)
-    if (auto* values = array.in(results)) *values = packet.take<VectorXd>();
-  results.state = packet.take<std::vector<long>>();
-}
+void put_abscissa(const ContactProblem<3>&, const std::vector<int>&,
+                  ShownNodes&) {}
 
 }  // namespace
 
-ShownNodes shown_nodes(const ContactProblem<2>& problem,
-                       const SharedBodies<2>& bodies, int rank,
+template <int d>
+ShownNodes shown_nodes(const ContactProblem<d>& problem,
+                       const SharedBodies<d>& bodies, int rank,
                        const NodalResults* solved) {
   const NodesOfProcess nodes = nodes_of(problem, bodies, rank);
   ShownNodes shown = numbered(problem, nodes);
-  shown.abscissa = problem.abscissa(nodes.node);
-  shown.normal = problem.own_normal(Eigen::all, nodes.node);
-  if (!solved) return shown;
-  shown.solved = true;
-  choose(*solved, nodes.node, shown.plane);
+  put_abscissa(problem, nodes.node, shown);
+  shown.normal = problem.own_normals()(Eigen::all, nodes.node);
+  if (solved) shown.solved = chosen(*solved, nodes.node);
   return shown;
 }
 
-ShownNodes shown_nodes(const ContactProblem<3>& problem,
-                       const SharedBodies<3>& bodies, int rank,
-                       const SolidResults* solved) {
-  const NodesOfProcess nodes = nodes_of(problem, bodies, rank);
-  ShownNodes shown = numbered(problem, nodes);
-  shown.normal = problem.contact.normal(Eigen::all, nodes.node);
-  if (!solved) return shown;
-  shown.solved = true;
-  choose(*solved, nodes.node, shown.solid);
-  return shown;
-}
+template ShownNodes shown_nodes(const ContactProblem<2>&,
+                                const SharedBodies<2>&, int,
+                                const NodalResults*);
+template ShownNodes shown_nodes(const ContactProblem<3>&,
+                                const SharedBodies<3>&, int,
+                                const NodalResults*);
 
 void put(const ShownNodes& nodes, Packet& packet) {
   packet.put(nodes.own_vertex).put(nodes.first_node).put(nodes.side);
-  packet.put(nodes.abscissa).put(nodes.normal).put(nodes.solved);
-  put(nodes.plane, packet);
-  put(nodes.solid, packet);
+  packet.put(nodes.abscissa).put(nodes.normal).put(nodes.solved.has_value());
+  if (nodes.solved) packet.put(nodes.solved->values).put(nodes.solved->state);
 }
 
 ShownNodes nodes_in(Packet& packet) {
@@ -131,9 +115,10 @@ ShownNodes nodes_in(Packet& packet) {
   nodes.side = packet.take<std::vector<long>>();
   nodes.abscissa = packet.take<VectorXd>();
   nodes.normal = packet.take<MatrixXd>();
-  nodes.solved = packet.take<bool>();
-  take(packet, nodes.plane);
-  take(packet, nodes.solid);
+  if (!packet.take<bool>()) return nodes;
+  nodes.solved.emplace();
+  nodes.solved->values = packet.take<MatrixXd>();
+  nodes.solved->state = packet.take<std::vector<long>>();
   return nodes;
 }
 

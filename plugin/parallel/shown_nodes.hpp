@@ -4,19 +4,16 @@
 #include "parallel/packet.hpp"
 #include "parallel/shared_contact.hpp"
 #include "problem/contact_problem.hpp"
-#include "problem/solid_contact.hpp"
 
 /// What of the contact nodes a process shows to its script.
 namespace ffcontact::plugin {
 
 /// The nodes at the vertices of one process's parts.
 /// @param solved  what a solution left at all nodes; null: nothing
-ShownNodes shown_nodes(const ContactProblem<2>& problem,
-                       const SharedBodies<2>& bodies, int rank,
+template <int d>
+ShownNodes shown_nodes(const ContactProblem<d>& problem,
+                       const SharedBodies<d>& bodies, int rank,
                        const NodalResults* solved = nullptr);
-ShownNodes shown_nodes(const ContactProblem<3>& problem,
-                       const SharedBodies<3>& bodies, int rank,
-                       const SolidResults* solved = nullptr);
 
 void put(const ShownNodes& nodes, Packet& packet);
 ShownNodes nodes_in(Packet& packet);

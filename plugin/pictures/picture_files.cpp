@@ -44,8 +44,8 @@ VtuCells body_triangles(const JoinedMesh& joined, int body) {
 }
 
 void write_body(const fs::path& folder, long step,
-                const ContactProblem<2>& problem, const SolvedContact& solved,
-                int body) {
+                const ContactProblem<2>& problem,
+                const SolvedContact<2>& solved, int body) {
   VtuCells triangles = body_triangles(problem.joined, body);
   triangles.on_points = {
       {"displacement",
@@ -112,8 +112,8 @@ std::vector<int> lines_of_nodes(const ContactProblem<2>& problem) {
 }
 
 /// x, u and the place that faces x along n.
-void write_places(const ContactProblem<2>& problem, const SolvedContact& solved,
-                  int i, TextFile& text) {
+void write_places(const ContactProblem<2>& problem,
+                  const SolvedContact<2>& solved, int i, TextFile& text) {
   const int v = problem.contact.vertex[i];
   const Vector2d x = problem.mesh.place(v),
                  u = solved.solution.displacement.segment<2>(2 * v);
@@ -124,9 +124,9 @@ void write_places(const ContactProblem<2>& problem, const SolvedContact& solved,
 }
 
 void write_results(const NodalResults& nodes, int i, TextFile& text) {
-  text << " " << nodes.state[i] << " " << nodes.pn[i] << " " << nodes.pt[i]
-       << " " << nodes.fn[i] << " " << nodes.ft[i] << " " << nodes.gap[i] << " "
-       << nodes.slip[i];
+  text << " " << nodes.state[i];
+  for (const char* name : {"pn", "pt", "fn", "ft", "gap", "slip"})
+    text << " " << nodes.values(i, nodal_column(2, name));
 }
 
 void write_law(const ContactLaw<2>& law, int i, TextFile& text) {
@@ -137,7 +137,7 @@ void write_law(const ContactLaw<2>& law, int i, TextFile& text) {
 
 void write_nodes(const fs::path& file, long step,
                  const ContactProblem<2>& problem,
-                 const SolvedContact& solved) {
+                 const SolvedContact<2>& solved) {
   const ContactLaw<2>& law = solved.law;
   TextFile text(file);
   text << "# step " << step << " law " << name_of_law(law);
@@ -179,7 +179,7 @@ void write_tractions(const fs::path& file, const ContactProblem<2>& problem,
 
 void write_pictures(const fs::path& folder, long step,
                     const ContactProblem<2>& problem,
-                    const SolvedContact& solved) {
+                    const SolvedContact<2>& solved) {
   make_picture_folder(folder, step);
   const std::string number = std::to_string(step) + ".txt";
   write_nodes(folder / ("contact" + number), step, problem, solved);

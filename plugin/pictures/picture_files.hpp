@@ -17,6 +17,6 @@ namespace ffcontact::plugin {
 /// @throws std::invalid_argument  if a file cannot be written
 void write_pictures(const std::filesystem::path& folder, long step,
                     const ContactProblem<2>& problem,
-                    const SolvedContact& solved);
+                    const SolvedContact<2>& solved);
 
 }  // namespace ffcontact::plugin

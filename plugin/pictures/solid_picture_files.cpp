@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-VtuCells body_cells(const ContactProblem<3>& problem, const SolvedSolid& solved,
-                    int body) {
+VtuCells body_cells(const ContactProblem<3>& problem,
+                    const SolvedContact<3>& solved, int body) {
   const JoinedSolids& joined = problem.joined;
   const int v = joined.first_vertex[body], t = joined.first_cell[body],
             vertices = joined.first_vertex[body + 1] - v,
@@ -43,7 +43,7 @@ VtuCells body_cells(const ContactProblem<3>& problem, const SolvedSolid& solved,
 /// The four subtetrahedra k+1, k+2, k+3, centroid of each tetrahedron, with corners of
 /// their own: the stress jumps between them.
 void write_stress(const fs::path& file, const ContactProblem<3>& problem,
-                  const Topology<3>& topology, const SolvedSolid& solved,
+                  const Topology<3>& topology, const SolvedContact<3>& solved,
                   int body) {
   const std::vector<int>& first_cell = problem.joined.first_cell;
   const int first = first_cell[body], count = first_cell[body + 1] - first;
@@ -69,8 +69,8 @@ void write_stress(const fs::path& file, const ContactProblem<3>& problem,
 
 /// What the nodes have, by name.
 std::vector<VtuField> nodal_fields(const ContactProblem<3>& problem,
-                                   const SolvedSolid& solved) {
-  const SolidResults& nodes = solved.nodes;
+                                   const SolvedContact<3>& solved) {
+  const NodalResults& nodes = solved.nodes;
   const ContactLaw<3>& law = solved.law;
   const int count = problem.contact.node_count();
   MatrixXd bounds(2, count), state(1, count);
@@ -82,19 +82,10 @@ std::vector<VtuField> nodal_fields(const ContactProblem<3>& problem,
     state(0, i) = static_cast<double>(nodes.state[i]);
   }
   std::vector<VtuField> fields = {{"state", state}};
-  const std::array<std::pair<const char*, const VectorXd*>, 10> own = {
-      {{"pn", &nodes.pn},
-       {"pt1", &nodes.pt1},
-       {"pt2", &nodes.pt2},
-       {"fx", &nodes.fx},
-       {"fy", &nodes.fy},
-       {"fz", &nodes.fz},
-       {"fn", &nodes.fn},
-       {"gap", &nodes.gap},
-       {"slip1", &nodes.slip1},
-       {"slip2", &nodes.slip2}}};
-  for (const auto& [name, values] : own)
-    fields.push_back({name, values->transpose()});
+  for (const char* name :
+       {"pn", "pt1", "pt2", "fx", "fy", "fz", "fn", "gap", "slip1", "slip2"})
+    fields.push_back(
+        {name, nodes.values.col(nodal_column(3, name)).transpose()});
   fields.push_back({"friction", bounds.row(0)});
   fields.push_back({"limit", bounds.row(1)});
   if (!solved.estimate) return fields;
@@ -105,7 +96,8 @@ std::vector<VtuField> nodal_fields(const ContactProblem<3>& problem,
 }
 
 void write_nodes(const fs::path& file, long step,
-                 const ContactProblem<3>& problem, const SolvedSolid& solved,
+                 const ContactProblem<3>& problem,
+                 const SolvedContact<3>& solved,
                  const std::vector<VtuField>& fields) {
   TextFile text(file);
   text << "# step " << step << " law " << name_of_law(solved.law);
@@ -129,7 +121,8 @@ void write_nodes(const fs::path& file, long step,
 
 /// Faces whose vertices are all nodes.
 void write_surface(const fs::path& file, const ContactProblem<3>& problem,
-                   const SolvedSolid& solved, std::vector<VtuField> fields) {
+                   const SolvedContact<3>& solved,
+                   std::vector<VtuField> fields) {
   std::vector<Vector3i> faces;
   for (int m = 0; m < problem.contact.face_count(); ++m)
     if (problem.contact.face_node.col(m).minCoeff() >= 0)
@@ -150,7 +143,7 @@ void write_surface(const fs::path& file, const ContactProblem<3>& problem,
 
 void write_pictures(const fs::path& folder, long step,
                     const ContactProblem<3>& problem,
-                    const SolvedSolid& solved) {
+                    const SolvedContact<3>& solved) {
   make_picture_folder(folder, step);
   const std::vector<VtuField> fields = nodal_fields(problem, solved);
   write_nodes(folder / ("contact" + std::to_string(step) + ".txt"), step,
@@ -164,7 +157,7 @@ void write_pictures(const fs::path& folder, long step,
                       *problem.fem_meshes[body], cells);
   }
   if (!solved.estimate) return;
-  const Topology<3> topology = topology_of(problem.mesh, problem.facets);
+  const Topology<3> topology = problem.topology();
   for (int body = 0; body < problem.body_count(); ++body)
     write_stress(folder / picture_file("stress", step, body), problem, topology,
                  solved, body);

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "problem/solid_contact.hpp"
+#include "problem/contact_type.hpp"
 
 namespace ffcontact::plugin {
 
@@ -18,6 +18,6 @@ namespace ffcontact::plugin {
 /// @throws std::invalid_argument  if a file cannot be written
 void write_pictures(const std::filesystem::path& folder, long step,
                     const ContactProblem<3>& problem,
-                    const SolvedSolid& solved);
+                    const SolvedContact<3>& solved);
 
 }  // namespace ffcontact::plugin

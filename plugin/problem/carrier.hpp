@@ -15,9 +15,7 @@ namespace ffcontact::plugin {
 
 /// Nodes and edges of a line, or what they face, on the line of the body that comes first.
 struct OfLine {
-  VectorXd abscissa;  ///< of each node [mm, p]
-  Matrix2Xd
-      own_normal;  ///< at each node, out of the body that comes first [2 x p]
+  VectorXd abscissa;        ///< of each node [mm, p]
   Matrix2Xd edge_abscissa;  ///< of the ends of each contact edge [mm, 2 x m]
 };
 struct OfSurface {};
@@ -47,7 +45,6 @@ inline void append_range(const EdgeRange& more, EdgeRange& range) {
 
 inline void append_of_line(const Carrier<2>& more, Carrier<2>& all) {
   append(more.abscissa, all.abscissa);
-  append(more.own_normal, all.own_normal);
   append(more.edge_abscissa, all.edge_abscissa);
   append_range(more.law.between_nodes, all.law.between_nodes);
   append_range(more.law.limit_between_nodes, all.law.limit_between_nodes);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <type_traits>
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/contact/checks/compliance_ratio.hpp"
@@ -59,15 +60,23 @@ struct ContactProblem : Bodies<d>, Carrier<d> {
   /// carry them.
   void choose_sides(const ElasticSystem& system);
 
-  /// The joined mesh with its facets and stars, made once. That of solids is large: who needs
-  /// it makes it and lets it go.
+  /// The joined mesh with its facets and stars: of plane bodies made once; that of solids,
+  /// which is large, is the caller's.
   /// @throws std::invalid_argument  if a body touches itself in a single vertex
-  const Topology<d>& topology() const;
+  std::conditional_t<d == 2, const Topology<d>&, Topology<d>> topology() const;
 
   /// Of the nodes [mm, d x p].
   Matrix<double, d, Dynamic> places() const {
     return mesh.vertices(Eigen::all, this->contact.vertex).colwise() +
            mesh.origin;
+  }
+
+  /// -1 at nodes of side 2, whose contact direction points into the body that comes first, 1 at
+  /// others [p].
+  VectorXd own_signs() const;
+  /// Contact directions out of the body that comes first [d x p].
+  Matrix<double, d, Dynamic> own_normals() const {
+    return this->contact.normal * own_signs().asDiagonal();
   }
 
  private:
@@ -82,7 +91,7 @@ struct ContactProblem : Bodies<d>, Carrier<d> {
   std::vector<PairSides<d>> pairs_;
   CompliantLayer layer_;
   VectorXd previous_;  ///< displacement of the load step before; empty for none
-  mutable std::optional<Topology<d>> topology_;  ///< made when an estimate asks
+  mutable std::optional<Topology<2>> topology_;  ///< made when an estimate asks
 };
 
 template <int d>
@@ -112,6 +121,16 @@ void ContactProblem<d>::choose_sides(const ElasticSystem& system) {
 }
 
 template <int d>
+VectorXd ContactProblem<d>::own_signs() const {
+  VectorXd signs = VectorXd::Ones(count_of(this->own_vertex));
+  for (std::size_t k = 0; k < pairs_.size(); ++k)
+    if (&carrier_of(k) != &pairs_[k].own)
+      signs.segment(first_node[k], first_node[k + 1] - first_node[k])
+          .setConstant(-1);
+  return signs;
+}
+
+template <int d>
 void ContactProblem<d>::join_carriers() {
   Carrier<d>& all = *this;
   all = {};
@@ -134,9 +153,14 @@ void ContactProblem<d>::join_carriers() {
 }
 
 template <int d>
-const Topology<d>& ContactProblem<d>::topology() const {
-  if (!topology_) topology_ = topology_of(mesh, this->facets);
-  return *topology_;
+std::conditional_t<d == 2, const Topology<d>&, Topology<d>>
+ContactProblem<d>::topology() const {
+  if constexpr (d == 3) {
+    return topology_of(mesh, this->facets);
+  } else {
+    if (!topology_) topology_ = topology_of(mesh, this->facets);
+    return *topology_;
+  }
 }
 
 }  // namespace ffcontact::plugin

@@ -6,7 +6,6 @@
 #include "ffcontact/base/require.hpp"
 //
 #include "freefem/arguments.hpp"
-#include "problem/result_names.hpp"
 
 namespace ffcontact::plugin {
 
@@ -68,11 +67,6 @@ const ContactProblem<2>& plane_problem(const Contact& contact) {
         "the contact is that of a mesh3, but this is for plane bodies so far");
   require_stated(contact);
   return *contact.problem;
-}
-
-const SolvedContact& solved_contact(const Contact& contact) {
-  if (!contact.solved) refuse_unsolved();
-  return *contact.solved;
 }
 
 }  // namespace ffcontact::plugin

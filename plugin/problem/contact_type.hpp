@@ -3,45 +3,81 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "ffcontact/base/eigen.hpp"
 #include "ffcontact/contact/contact_solution.hpp"
+#include "ffcontact/contact/rigid_tool.hpp"
 #include "ffcontact/estimate/estimate.hpp"
+#include "ffcontact/interface/nearest_nodes.hpp"
 //
 #include "problem/contact_problem.hpp"
 #include "problem/nodal_results.hpp"
+#include "problem/result_names.hpp"
 
 namespace ffcontact::plugin {
 
+/// A rigid foundation that a solution has moved.
+struct MovedTool {
+  RigidTool tool;   ///< as it was pushed
+  VectorXd motion;  ///< (x, y, turn)
+  VectorXd slid;    ///< t . its motion at the nodes [mm]
+};
+
 /// A solution with the system it belongs to.
+template <int d>
 struct SolvedContact {
   std::shared_ptr<const ElasticSystem> system;
-  ContactLaw<2> law;  ///< with the multiplier, and u_t of the load step before
-  ContactSolution<2> solution;
-  /// of a tool: its motion (x, y, turn), and t . z at the nodes [mm]; empty: none
-  VectorXd motion, tool;
-  std::optional<RigidTool> driven{};  ///< it, as it was pushed
-  BodyLoadsOfCells<2> holding;  ///< that of HeldSliding, which the system has
+  ContactLaw<d> law;  ///< with the multiplier, and u_t of the load step before
+  ContactSolution<d> solution;
+  std::optional<MovedTool> moved{};
+  BodyLoadsOfCells<d> holding;  ///< that of HeldSliding, which the system has
   NodalResults nodes;
-  /// what contacterror made of it last; null before
-  std::shared_ptr<const Estimate<2>> estimate;
+  /// what contacterror made of it last, and of what; null before
+  std::shared_ptr<const Estimate<d>> estimate;
+  std::shared_ptr<const SolvedBody<d>> judged;
+};
+
+/// What nodes have done and where they were, in vectors along x, y (z) on the body that comes
+/// first [d x p].
+struct LastNodes {
+  ContactStates state;  ///< empty: nothing was solved
+  PlacedNodes at;
+  MatrixXd pressure;  ///< [MPa]
+  MatrixXd moved;     ///< against the foundation or the other body [mm]
+};
+
+/// A contact of bodies in d dimensions.
+template <int d>
+struct ContactOf {
+  std::shared_ptr<ContactProblem<d>> problem;  ///< null until it is stated
+  std::optional<SolvedContact<d>> solved;
+  LastNodes last;  ///< of the last solution: the next one starts from them
+
+  /// A new problem: the last nodes stay.
+  void state(std::shared_ptr<ContactProblem<d>> stated) {
+    problem = std::move(stated);
+    solved.reset();
+  }
 };
 
 struct SharedContact;
-struct SolidContact;
 
-/// What a script variable of type `contact` holds: a contact of plane bodies, or of a
-/// solid.
-struct Contact {
-  std::shared_ptr<ContactProblem<2>> problem;  ///< null until it is stated
-  std::optional<SolvedContact> solved;
-  /// of the last solution: the next one starts from them
-  ContactStates last_states;
-  VectorXd last_abscissa;               ///< where they were
-  std::shared_ptr<SolidContact> solid;  ///< null where it is not of solids
+/// What a script variable of type `contact` holds: a contact of plane bodies, or of
+/// solids.
+struct Contact : ContactOf<2> {
+  std::shared_ptr<ContactOf<3>> solid;  ///< null where it is not of solids
   /// where processes hold parts of the bodies; null: one holds them
   std::shared_ptr<SharedContact> shared;
 };
+
+template <int d>
+ContactOf<d>& contact_in(Contact& contact) {
+  if constexpr (d == 2)
+    return contact;
+  else
+    return *contact.solid;
+}
 
 /// The script variable: FreeFEM gives it memory, calls init() and destroy(). It is a
 /// number and no pointer, because a parameter that is no reference, f(contact C), is a
@@ -68,9 +104,13 @@ Contact& stated_contact_of_any(Stack stack, Expression variable);
 /// @throws std::invalid_argument  if it was never stated, or is that of a solid
 Contact& stated_contact(Stack stack, Expression variable);
 
-/// The solution of that contact.
+/// The solution of a contact.
 /// @throws std::invalid_argument  if it was not solved
-const SolvedContact& solved_contact(const Contact& contact);
+template <int d>
+const SolvedContact<d>& solved_contact(const ContactOf<d>& contact) {
+  if (!contact.solved) refuse_unsolved();
+  return *contact.solved;
+}
 
 /// @throws std::invalid_argument  if the contact is that of a solid
 const ContactProblem<2>& plane_problem(const Contact& contact);

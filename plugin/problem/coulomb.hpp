@@ -45,6 +45,6 @@ std::shared_ptr<const CondensedContact> contact_of_forces(
 
 /// critical_friction of the solution.
 double critical_friction_of(const ContactProblem<2>& problem,
-                            const SolvedContact& solved);
+                            const SolvedContact<2>& solved);
 
 }  // namespace ffcontact::plugin

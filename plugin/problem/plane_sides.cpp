@@ -86,8 +86,6 @@ Carrier<2> carrier(const LineStatement& said, int body,
     result.own_vertex.push_back(vertex - said.bodies.joined.first_vertex[body]);
   result.abscissa = std::move(at.node);
   result.edge_abscissa = std::move(at.edge_end);
-  // line.normal points out of the body that carries the multipliers
-  result.own_normal = (on_opposite ? -1.0 : 1.0) * line.normal;
   put_law(said.stack, said.named, said.part(body), line, places, result);
   result.contact = std::move(line);
   return result;

@@ -7,7 +7,7 @@
 #include "ffcontact/contact/checks/sliding_motions.hpp"
 #include "ffcontact/elastic/rigid_motions.hpp"
 //
-#include "problem/contact_problem.hpp"
+#include "problem/contact_type.hpp"
 #include "solve/solve_call.hpp"
 
 namespace ffcontact::plugin {
@@ -31,13 +31,6 @@ void take_out(const SimplexMesh<d>& mesh, const MatrixXd& motions,
       lumped_coefficients(volumes, motions, volumes.cwiseProduct(displacement));
 }
 
-/// own_normal goes with the contact directions.
-inline void put_own_normals(Carrier<2>& line) {
-  const Matrix2Xd& normal = line.contact.normal;
-  const VectorXd along = line.own_normal.cwiseProduct(normal).colwise().sum();
-  line.own_normal = normal * along.cwiseSign().asDiagonal();
-}
-
 template <int d>
 void say_held(const SimplexMesh<d>& mesh, const HeldSliding<d>& held,
               double turned) {
@@ -59,7 +52,6 @@ HeldSliding<d> hold_against_noise(const SolveCall& call,
       rigid_motions(mesh, problem.contact, problem.law, system).sliding, {}};
   if (held.motions.cols() == 0) return held;
   const double turned = turn_across(held.motions, problem.contact);
-  if constexpr (d == 2) put_own_normals(problem);
   held.loads = holding_loads(mesh, held.motions, system.load);
   add_body_loads(mesh, held.loads, system.load);
   const bool changed = turned > 0 || held.loads.cols() > 0;
@@ -69,14 +61,15 @@ HeldSliding<d> hold_against_noise(const SolveCall& call,
 }
 
 /// Puts the system of a call into what is solved, held against noise.
-/// @param contact  of plane bodies or solids, as a variable of the script holds it
-template <class Contact, class Solved>
-auto put_system(const SolveCall& call, Contact& contact, Solved& solved) {
-  auto& problem = *contact.problem;
+/// @return the motions that are held
+template <int d>
+MatrixXd put_system(const SolveCall& call, ContactOf<d>& contact,
+                    SolvedContact<d>& solved) {
+  ContactProblem<d>& problem = *contact.problem;
   ElasticSystem system = system_of(call, problem, problem.mesh);
   // and stays: what a solution left belongs to its line or surface
   if (!contact.solved) problem.choose_sides(system);
-  auto held = hold_against_noise(call, problem, system);
+  HeldSliding<d> held = hold_against_noise(call, problem, system);
   solved.holding = std::move(held.loads);
   solved.system = std::make_shared<const ElasticSystem>(std::move(system));
   return held.motions;

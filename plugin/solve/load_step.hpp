@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <utility>
-
 #include "ffcontact/contact/law/kinetic_friction.hpp"
+#include "ffcontact/contact/law/nodal_pressures.hpp"
 //
+#include "problem/contact_type.hpp"
 #include "solve/solve_call.hpp"
 
 /// What a call of contactsolve knows of the load step before.
@@ -25,22 +25,34 @@ StepBefore step_before(const SolveCall& call, bool is_solved, bool has_previous,
 /// @throws std::invalid_argument  for loadstep=true without a step before
 [[noreturn]] void refuse_load_step();
 
+/// u_t of a solution without what springs back of it, against a tool where this has left it
+/// [d - 1 x p].
+template <int d>
+Matrix<double, d - 1, Dynamic> slid(const LineOrSurface<d>& where,
+                                    const SolvedContact<d>& solved) {
+  const ContactSolution<d>& found = solved.solution;
+  const Matrix<double, d, Dynamic> displaced =
+      contact_components(where, found.displacement) +
+      solved.law.layer.given_way(lumped_pressures(where, found.force));
+  Matrix<double, d - 1, Dynamic> along = displaced.template bottomRows<d - 1>();
+  if (solved.moved) along.row(0) -= solved.moved->slid.transpose();
+  return along;
+}
+
 /// The law of this step: with u_t of the last solution for loadstep=true, and kinetic friction
 /// where nodes slipped in the step before.
-/// @param contact  of plane bodies or solids, as a variable of the script holds it
-/// @param where    its line or surface
-/// @param last     states of the last solution there; empty: there is none
-/// @param slid     u_t of the last solution
-template <class Contact, class LineOrSurface, class Law, class Slid>
-Law law_of_step(const SolveCall& call, const Contact& contact,
-                const LineOrSurface& where, const ContactStates& last, Law law,
-                const Slid& slid) {
+/// @param last  states of the last solution at the nodes; empty: there is none
+/// @param law   as stated
+template <int d>
+ContactLaw<d> law_of_step(const SolveCall& call, const ContactOf<d>& contact,
+                          const ContactStates& last, ContactLaw<d> law) {
+  const LineOrSurface<d>& where = contact.problem->contact;
   const KineticFriction& kinetic = contact.problem->kinetic;
   const bool is_solved = contact.solved.has_value(),
              has_previous = law.previous.size() > 0;
   if (call.named.flag(call.stack, "loadstep")) {
     if (is_solved)
-      law.previous = slid();
+      law.previous = slid(where, *contact.solved);
     else if (!last.empty() && !has_previous)
       refuse_load_step();
   }
@@ -56,14 +68,14 @@ Law law_of_step(const SolveCall& call, const Contact& contact,
 }
 
 /// The states that the next step starts from; those of kinetic friction say what moved.
-/// @param slip  |v_t| of the nodes [mm]
-template <class Problem, class Solved>
-ContactStates states_for_next(const Problem& problem, const Solved& solved,
-                              const VectorXd& slip, double tolerance) {
-  const auto& solution = solved.solution;
+template <int d>
+ContactStates states_for_next(const ContactProblem<d>& problem,
+                              const SolvedContact<d>& solved,
+                              double tolerance) {
+  const ContactSolution<d>& solution = solved.solution;
   if (!problem.kinetic.given()) return solution.state;
   return states_of_step(
-      solution.state, slip,
+      solution.state, solved.nodes.slip().rowwise().norm(),
       tolerance * largest_displacement(solved.law, solution.displacement));
 }
 

@@ -143,6 +143,17 @@ void write_displacement(const SolveCall& call, const BodyDofs& bodies,
         displacement.segment(bodies.first_dof(k), bodies.dof_count(k));
 }
 
+void put(const SolveCall& call, const std::vector<long>& own_vertex,
+         const VectorXd& abscissa, const NodalResults& nodes) {
+  for (const char* name : all_nodal_names()) {
+    const int column = nodal_column(nodes.dimension(), name);
+    if (column >= 0) call.named.put(call.stack, name, nodes.values.col(column));
+  }
+  call.named.put_integers(call.stack, "node", own_vertex);
+  call.named.put_integers(call.stack, "state", nodes.state);
+  call.named.put(call.stack, "abscissa", abscissa);
+}
+
 std::vector<long> state_numbers(const ContactStates& states) {
   std::vector<long> numbers;
   for (ContactState state : states)

@@ -10,7 +10,7 @@
 #include "freefem/arguments.hpp"
 #include "freefem/stopwatch.hpp"
 #include "problem/body_dofs.hpp"
-#include "problem/nodal_results.hpp"
+#include "problem/contact_type.hpp"
 
 namespace ffcontact::plugin {
 
@@ -46,9 +46,10 @@ ContactSettings settings_of(const SolveCall& call, ContactStates states,
 bool is_same(const ElasticSystem& a, const ElasticSystem& b);
 
 /// The factor of the last solution, where it is one of this system; or null.
-template <class Solved>
+template <int d>
 std::shared_ptr<const CondensedStiffness> known_stiffness(
-    const Solved& last, const ElasticSystem& system) {
+    const ContactOf<d>& contact, const ElasticSystem& system) {
+  const auto& last = contact.solved;
   if (!last || !is_same(*last->system, system)) return nullptr;
   return last->solution.stiffness;
 }
@@ -57,16 +58,10 @@ std::shared_ptr<const CondensedStiffness> known_stiffness(
 void write_displacement(const SolveCall& call, const BodyDofs& bodies,
                         const VectorXd& displacement);
 
-/// Results at the nodes of plane bodies or solids, node= and state= of them.
-template <class Results>
+/// Results at the nodes, node=, state= and abscissa= of them.
+/// @param abscissa  of plane bodies
 void put(const SolveCall& call, const std::vector<long>& own_vertex,
-         const Results& nodes) {
-  for (const NodalArray& array : nodal_arrays)
-    if (const VectorXd* values = array.in(nodes))
-      call.named.put(call.stack, array.name, *values);
-  call.named.put_integers(call.stack, "node", own_vertex);
-  call.named.put_integers(call.stack, "state", nodes.state);
-}
+         const VectorXd& abscissa, const NodalResults& nodes);
 
 /// 0 open, 1 stick, 2 slip along t (of a solid: in any direction), -2 slip against t.
 std::vector<long> state_numbers(const ContactStates& states);

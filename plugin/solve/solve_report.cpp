@@ -27,15 +27,12 @@ const char* remedy(ContactStatus status) {
   }
 }
 
-/// Does no free dof of the node's vertex move it along its normal?
-/// @param nodes  of a line or surface
-template <class Nodes>
-bool is_held_along_normal(const Nodes& nodes, const ElasticSystem& system,
-                          int node) {
+/// Does no free dof of a vertex move it along n?
+bool is_held_along(const VectorXd& n, const ElasticSystem& system, int vertex) {
   constexpr double tangential = 1e-3;
-  for (Index c = 0; c < nodes.normal.rows(); ++c)
-    if (!system.prescribed[nodes.normal.rows() * nodes.vertex[node] + c] &&
-        std::abs(nodes.normal(c, node)) > tangential)
+  for (Index c = 0; c < n.size(); ++c)
+    if (!system.prescribed[n.size() * vertex + c] &&
+        std::abs(n[c]) > tangential)
       return false;
   return true;
 }
@@ -52,14 +49,13 @@ int number_in_its_mesh(const std::vector<int>& first_vertex, int vertex) {
 }
 
 /// The vertices of the nodes whose normal dof is prescribed, as their meshes number them.
-template <class Nodes>
 std::vector<int> held_vertices(const std::vector<int>& first_vertex,
-                               const Nodes& nodes,
+                               const VectorXi& vertex, const MatrixXd& normal,
                                const ElasticSystem& system) {
   std::vector<int> held;
-  for (int i = 0; i < nodes.node_count(); ++i)
-    if (is_held_along_normal(nodes, system, i))
-      held.push_back(number_in_its_mesh(first_vertex, nodes.vertex[i]));
+  for (Index i = 0; i < vertex.size(); ++i)
+    if (is_held_along(normal.col(i), system, vertex[i]))
+      held.push_back(number_in_its_mesh(first_vertex, vertex[i]));
   return held;
 }
 
@@ -70,15 +66,6 @@ std::string listed_vertices(const std::vector<int>& numbers) {
   for (std::size_t k = 0; k < std::min(most, numbers.size()); ++k)
     list << (k > 0 ? ", " : "") << numbers[k];
   return list.str() + (numbers.size() > most ? ", ..." : "");
-}
-
-/// @param where  what they are on, and its parts
-std::string advice_on(const std::vector<int>& held, const char* where,
-                      const char* parts) {
-  if (held.empty()) return "";
-  return std::string("; on() prescribes the normal displacement on the ") +
-         where + " at vertex " + listed_vertices(held) +
-         ": leave it free there, or take these " + parts + " out of label=";
 }
 
 /// Part of a sentence that says which side of each pair of bodies carries the
@@ -121,17 +108,16 @@ void put(const SolveCall& call, const SolveAnswer& answer) {
 }
 
 std::string advice_on_held(const std::vector<int>& first_vertex,
-                           const ContactLine& line,
+                           const VectorXi& vertex, const MatrixXd& normal,
                            const ElasticSystem& system) {
-  return advice_on(held_vertices(first_vertex, line, system), "contact line",
-                   "edges");
-}
-
-std::string advice_on_held(const std::vector<int>& first_vertex,
-                           const ContactSurface& surface,
-                           const ElasticSystem& system) {
-  return advice_on(held_vertices(first_vertex, surface, system),
-                   "contact surface", "faces");
+  const std::vector<int> held =
+      held_vertices(first_vertex, vertex, normal, system);
+  if (held.empty()) return "";
+  const bool plane = normal.rows() == 2;
+  return std::string("; on() prescribes the normal displacement on the ") +
+         (plane ? "contact line" : "contact surface") + " at vertex " +
+         listed_vertices(held) + ": leave it free there, or take these " +
+         (plane ? "edges" : "faces") + " out of label=";
 }
 
 void refuse_solution(const SolveAnswer& answer, const std::string& advice) {
@@ -169,7 +155,7 @@ void report_solution(const SolveCall& call, const BodyDofs& bodies,
 }
 
 void report_friction(long level, const ContactProblem<2>& problem,
-                     const SolvedContact& solved) {
+                     const SolvedContact<2>& solved) {
   constexpr double near = 0.01;
   if (level < 1 || mpirank != 0) return;
   const double mu = largest_friction(nodal_law(solved.law, problem.contact));

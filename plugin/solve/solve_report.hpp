@@ -5,7 +5,6 @@
 
 #include "ffcontact/contact/checks/unbalanced_motion.hpp"
 #include "ffcontact/contact/contact_solution.hpp"
-#include "ffcontact/interface/contact_surface.hpp"
 #include "problem/contact_type.hpp"
 #include "solve/solve_call.hpp"
 
@@ -18,7 +17,7 @@ struct Counts {
 };
 Counts counted(const ContactStates& states);
 
-/// What is said of a solution of plane bodies and of a solid alike.
+/// What is said of a solution.
 struct SolveAnswer {
   ContactStatus status;
   int iterations;
@@ -26,8 +25,8 @@ struct SolveAnswer {
   std::vector<double> history;
   Counts counts;
 };
-template <class Solution>
-SolveAnswer answer_of(const Solution& solution) {
+template <int d>
+SolveAnswer answer_of(const ContactSolution<d>& solution) {
   return {solution.status,   solution.iterations, solution.complementarity,
           solution.residual, solution.history,    counted(solution.state)};
 }
@@ -37,11 +36,10 @@ void put(const SolveCall& call, const SolveAnswer& answer);
 
 /// Part of a sentence that names the vertices that on() holds along their normals.
 /// @param first_vertex  of each body
+/// @param vertex        of each node [p]
+/// @param normal        contact directions [d x p]
 std::string advice_on_held(const std::vector<int>& first_vertex,
-                           const ContactLine& line,
-                           const ElasticSystem& system);
-std::string advice_on_held(const std::vector<int>& first_vertex,
-                           const ContactSurface& surface,
+                           const VectorXi& vertex, const MatrixXd& normal,
                            const ElasticSystem& system);
 
 /// Refuses a solution that was not accepted, with what the script can do about it.
@@ -63,6 +61,6 @@ void report_solution(const SolveCall& call, const BodyDofs& bodies,
 /// Says that a second solution is near or may exist (critical_friction), but not of
 /// curves that the statement has warned of.
 void report_friction(long level, const ContactProblem<2>& problem,
-                     const SolvedContact& solved);
+                     const SolvedContact<2>& solved);
 
 }  // namespace ffcontact::plugin

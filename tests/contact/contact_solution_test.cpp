@@ -509,21 +509,6 @@ TEST(ContactSolution, unloaded_after_slip_keeps_a_part_of_its_displacement) {
             1.5 * std::abs(solved(problem).displacement[0]));
 }
 
-TEST(StatesAt, are_those_of_the_nearest_old_node) {
-  // abscissae 0, 10, 20, 30, 40
-  const ContactLine line = example_2(Multiplier::force, 0, 4).line;
-  const VectorXd old = (VectorXd(3) << 1, 19, 33).finished();
-  const std::vector<ContactState> states = states_at(
-      line, old,
-      {ContactState::open, ContactState::stick, ContactState::slip_forward});
-  const std::vector<ContactState> expected{
-      ContactState::open, ContactState::open, ContactState::stick,
-      ContactState::slip_forward, ContactState::slip_forward};
-  EXPECT_EQ(states, expected);
-  EXPECT_NE(refusal([&] { states_at(line, old, {ContactState::open}); }),
-            "accepted");
-}
-
 // ---- progress -----------------------------------------------------------------------------------
 
 std::vector<Progress> told_by(const Problem& problem, ContactSolver solver,

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ffcontact/contact/law/nodal_pressures.hpp"
+#include "ffcontact/interface/nearest_nodes.hpp"
 #include "support/cases.hpp"
 #include "support/refusals.hpp"
 
@@ -85,6 +87,11 @@ TEST_P(LoadPath, previous_displacement_shifts_where_a_node_sticks) {
 
 // ---- warm starts ---------------------------------------------------------------------------------------------------------
 
+PlacedNodes placed_nodes(const Problem& problem) {
+  return {problem.mesh.vertices(Eigen::all, problem.line.vertex),
+          problem.line.normal, nodal_lengths(problem.line)};
+}
+
 RC_GTEST_PROP(WarmStart, from_its_own_states_a_solution_is_found_in_one_step,
               ()) {
   const Problem problem = problem_of(*random_case(1));
@@ -98,22 +105,13 @@ RC_GTEST_PROP(WarmStart, from_its_own_states_a_solution_is_found_in_one_step,
 }
 
 TEST(WarmStart, states_of_a_coarser_mesh_start_a_finer_one) {
-  const ContactSolution<2> coarse = solved(example_1(Multiplier::pressure, 8));
-  const Problem fine = example_1(Multiplier::pressure, 32);
+  const Problem coarse = example_1(Multiplier::pressure, 8),
+                fine = example_1(Multiplier::pressure, 32);
+  const ContactStates states = solved(coarse).state;
   ContactSettings settings;
-  settings.initial_state =
-      states_at(fine.line, example_1(Multiplier::pressure, 8).line.abscissa,
-                coarse.state);
+  for (int node : nearest_nodes(placed_nodes(fine), placed_nodes(coarse)))
+    settings.initial_state.push_back(states[node]);
   EXPECT_LT(solved(fine, settings).iterations, solved(fine).iterations);
-}
-
-TEST(WarmStart, refuses_states_of_another_line) {
-  const Problem problem = example_1(Multiplier::force, 2);
-  EXPECT_TRUE(
-      says(refusal([&] {
-             states_at(problem.line, VectorXd::Zero(2), {ContactState::open});
-           }),
-           "abscissa of the initial states has 2 values where 1 are needed"));
 }
 
 TEST(LoadPath, refuses_a_previous_displacement_that_does_not_fit) {

@@ -20,7 +20,7 @@ mapfile -t sources < <(find plugin -name '*.cpp' | sort)
 for function in $(for file in "${sources[@]}"; do words "$file" 'Global\.Add\(' ', "\('; done) $(words edp/ffcontact_meshes.idp 'func mesh3? ' '\(') contactadapt; do
   grep -q "\b$function(" "${pages[@]}" || missing "the function $function"
 done
-nodal=$(words "$(find plugin -name nodal_results.hpp)" '\{' ',\s+(&NodalResults|nullptr)')
+nodal=$(grep -oP '^ *("\w+",? *)+' "$(find plugin -name nodal_results.hpp)" | tr -d '",')
 for result in $nodal $(words "$(find plugin -name contact_members.cpp)" 'add_member\(' ','); do
   grep -q "\`C\.$result\`" "${pages[@]}" || missing "C.$result"
 done

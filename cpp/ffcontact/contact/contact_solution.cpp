@@ -1,20 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/contact/contact_solution.hpp"
 
-#include "ffcontact/base/packed.hpp"
-#include "ffcontact/base/require.hpp"
-
 namespace ffcontact {
-
-namespace {
-
-Index nearest(const Ref<const VectorXd>& values, double value) {
-  Index place;
-  (values.array() - value).abs().minCoeff(&place);
-  return place;
-}
-
-}  // namespace
 
 ContactStatus judged_status(ContactStatus condensed, double complementarity,
                             double residual, double tolerance) {
@@ -34,18 +21,6 @@ const char* in_words(ContactStatus status) {
     case ContactStatus::inaccurate: return "rounding exceeds the tolerance";
   }
   return "";
-}
-
-ContactStates states_at(const ContactLine& line,
-                        const Ref<const VectorXd>& old_abscissa,
-                        const ContactStates& old_state) {
-  require_size("abscissa of the initial states", old_abscissa.size(),
-               count_of(old_state));
-  if (old_state.empty()) return {};
-  ContactStates states;
-  for (double s : line.abscissa)
-    states.push_back(old_state[nearest(old_abscissa, s)]);
-  return states;
 }
 
 }  // namespace ffcontact

@@ -52,13 +52,6 @@ struct ContactSolution {
   }
 };
 
-/// States of a new line from those of an earlier one (the mesh before adaptation): of the
-/// old node nearest in abscissa.
-/// @throws std::invalid_argument  if the sizes of the old arrays differ
-ContactStates states_at(const ContactLine& line,
-                        const Ref<const VectorXd>& old_abscissa,
-                        const ContactStates& old_state);
-
 /// What the measures of a solution make of the status of its condensed answer.
 ContactStatus judged_status(ContactStatus condensed, double complementarity,
                             double residual, double tolerance);
