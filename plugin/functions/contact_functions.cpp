@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <typeinfo>
+
 #include "freefem/guard.hpp"
 #include "registration.hpp"
 #include "solids.hpp"
@@ -52,8 +54,8 @@ class ContactSolve : public E_F0mps {
         {"status", &typeid(long*)},         {"history", &typeid(KN<double>*)},
         {"opennodes", &typeid(long*)},      {"sticknodes", &typeid(long*)},
         {"slipnodes", &typeid(long*)}};
-    for (const char* name : all_nodal_names())
-      table.push_back({name, &typeid(KN<double>*)});
+    const std::type_info* const array = &typeid(KN<double>*);
+    for (const char* name : all_nodal_names()) table.push_back({name, array});
     return table;
   }
 
