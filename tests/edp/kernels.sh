@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# kernels.sh BUILD [KERNEL...]: the tests of the modules and the scripts of tests/edp under OpenBLAS's kernels, with 1 and 2
-# threads. Prints every figure that scripts check: its smallest and largest value, what is wanted, the limit of the difference, and
+# kernels.sh BUILD [KERNEL[:THREADS]...]: the tests of the modules and the scripts of tests/edp under OpenBLAS's kernels, with so many
+# threads, or with 1 and with 2. Prints every figure that scripts check: its smallest and largest value, what is wanted, the limit of the difference, and
 # how many times the largest difference goes into it. Fails where a test fails or a figure uses up more than half of its limit.
 set -euo pipefail
 build=$(realpath "$1")
@@ -28,9 +28,11 @@ run_one() {
 export -f run_one
 export build scratch
 
-for kernel in "${kernels[@]}"; do
+for wanted in "${kernels[@]}"; do
+  kernel=${wanted%:*}
   grep -qw "$(needs "$kernel")" /proc/cpuinfo || { echo "$kernel: this processor cannot run it"; continue; }
-  for threads in 1 2; do
+  [[ $wanted = *:* ]] && counts=("${wanted#*:}") || counts=(1 2)
+  for threads in "${counts[@]}"; do
     for module in "$scripts"/../../cpp/ffcontact/*/; do
       printf '%s\0' "$kernel $threads $build/tests/test_$(basename "$module")"
     done
