@@ -34,6 +34,11 @@ struct Solved {
   Estimate<2> estimate(const EstimateSettings<2>& settings = {}) const {
     return estimate_error<2>(topology, problem.line, system, body, settings);
   }
+  /// l(u_h)
+  double value(const Quantity<2>& quantity) const {
+    return load_of(problem.mesh, quantity).dot(body.displacement) +
+           quantity.constant;
+  }
   QuantityBounds bounds(const Quantity<2>& quantity,
                         const BoundSettings& settings = {}) const {
     return quantity_bounds<2>(as_problem(),

@@ -50,4 +50,15 @@ inline void require_that_they_narrow(const QuantityBounds& wide,
   RC_TAG(std::clamp(static_cast<int>(wide.width() / narrow.width()), 0, 20));
 }
 
+/// With values on a mesh that is finer and on one twice as fine: one of those that they tend
+/// to, at the rate 1 or any faster one, is between the bounds.
+inline void require_that_they_hold(const QuantityBounds& bounds, double finer,
+                                   double finest) {
+  const double limit = 2 * finest - finer,
+               rounding =
+                   1e-9 * (std::abs(bounds.lower) + std::abs(bounds.upper));
+  RC_ASSERT(std::max(finest, limit) >= bounds.lower - rounding);
+  RC_ASSERT(std::min(finest, limit) <= bounds.upper + rounding);
+}
+
 }  // namespace ffcontact::test
