@@ -20,7 +20,7 @@
 ///                and the coefficient at which solutions branch; the law and the solver on a surface
 ///   equilibrium  edge tractions in equilibrium, stresses linear on triangles, the composite stress, star relaxation
 ///   estimate     the error in the constitutive relation of an admissible pair
-///   bounds       strict bounds of quantities of interest, of plane bodies
+///   bounds       strict bounds of quantities of interest
 ///   sizing       optimal sizes for a wanted error, of plane bodies and solids
 ///   parallel     what several processes need
 ///

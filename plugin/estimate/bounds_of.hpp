@@ -50,6 +50,8 @@ inline void put(const BoundsCall& call, const std::vector<int>& first_cell,
   named.put(stack, "value", bounds.value);
   named.put(stack, "midpoint", midpoint);
   named.put(stack, "step", bounds.step);
+  named.put(stack, "solves", static_cast<long>(bounds.cost.contact_problems));
+  named.put(stack, "estimates", static_cast<long>(bounds.cost.estimates));
   VectorXd squares = VectorXd::Zero(first_cell.back());
   if (bounds.found() && midpoint != 0)
     squares = bounds.local.cwiseMax(0) / std::abs(midpoint);
@@ -64,7 +66,8 @@ inline void report(const QuantityBounds& bounds, double seconds) {
          << bounds.value;
   else
     cout << "none, as " << bounds.reason;
-  cout << ", " << seconds << " s" << endl;
+  cout << ", " << bounds.cost.contact_problems << " contact problems, "
+       << bounds.cost.estimates << " estimates, " << seconds << " s" << endl;
 }
 
 template <int d>

@@ -53,6 +53,8 @@ class ContactBounds : public E_F0mps {
                                {"value", &typeid(double*)},
                                {"midpoint", &typeid(double*)},
                                {"step", &typeid(double*)},
+                               {"solves", &typeid(long*)},
+                               {"estimates", &typeid(long*)},
                                {"steps", &typeid(long)},
                                {"turns", &typeid(long)},
                                {"sweeps", &typeid(long)},

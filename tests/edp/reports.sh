@@ -61,6 +61,16 @@ real triangles = optimalsize(C, epsE[], target=0.1, size=h[], predicted=predicte
 expect("optimalsize: sizes " + h[].min + " to " + h[].max + ", about " + int(floor(triangles + 0.5)) + " triangles for eps "
   + 100*predicted + " %");
 
+contact T(Th, label=1, slipbound=2);
+contactsolve(T, A, b, u[]);
+real least, most, value;
+int solves, estimates;
+real wide = contactbounds(T, lambda=lambda, G=G, traction=[10*(label==4), 0], goaltraction=[(label==4)/40., 0], steps=1, turns=3, sweeps=1,
+                          lower=least, upper=most, value=value, solves=solves, estimates=estimates, verbosity=level);
+assert(solves == 18 && estimates == 8);   // three turns and a further one of each bound
+expect("contactbounds: " + least + " to " + most + ", " + 100*wide + " % wide, u_h has " + value + ", " + solves
+  + " contact problems, " + estimates + " estimates, * s");
+
 varf loose([u, v], [r, s]) = int2d(Th)(dx(u)*dx(r) + dy(v)*dy(s) + 0.5*(dy(u) + dx(v))*(dy(r) + dx(s))) + int1d(Th, 3)(s);
 matrix Aloose = loose(Vh, Vh);
 real[int] bloose = loose(0, Vh), uloose(Vh.ndof);

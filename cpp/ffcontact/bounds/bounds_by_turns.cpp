@@ -35,6 +35,7 @@ auto BoundsByTurns<d>::solution(const ContactConditions<d>& of,
                                 const VectorXd& more) {
   const auto& [topology, contact, system, solved] = bounded_.solved;
   system_.load = system.load + on_free_dofs(system, VectorXd(more));
+  ++cost_.contact_problems;
   auto found =
       solve_contact(topology.mesh, of.contact, of.law, system_, settings_);
   settings_.stiffness = found.stiffness;
@@ -101,6 +102,7 @@ BoundPair<d> BoundsByTurns<d>::stress_for(
   const SolvedBody<d> body = loaded_body(bound.t, bound.pair.v);
   EstimateSettings<d> settings;
   settings.relaxation = relaxation;
+  ++cost_.estimates;
   const Estimate<d> estimate =
       estimate_error<d>(topology, contact, system, body, settings);
   if (!estimate.admissible) refuse(estimate.reason);

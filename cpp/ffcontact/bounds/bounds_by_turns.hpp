@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ffcontact/bounds/bounded_quantity.hpp"
+#include "ffcontact/bounds/bounds_cost.hpp"
 #include "ffcontact/equilibrium/relaxation/relaxation_settings.hpp"
 #include "ffcontact/linear/norms.hpp"
 
@@ -41,6 +42,8 @@ class BoundsByTurns {
 
   /// Null where the bodies are too large for one.
   const CondensedStiffness* factor() const { return settings_.stiffness.get(); }
+  /// Of all bounds so far, with those that were refused.
+  const BoundsCost& cost() const { return cost_; }
 
  private:
   double rounding_of(const BoundPair<d>& pair, double t) const;
@@ -54,6 +57,7 @@ class BoundsByTurns {
   const BoundedQuantity<d>& bounded_;
   ContactSettings settings_;
   ElasticSystem system_;  ///< with other loads
+  BoundsCost cost_;
 };
 
 }  // namespace ffcontact

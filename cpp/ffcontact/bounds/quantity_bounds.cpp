@@ -77,6 +77,8 @@ class SearchOfBounds {
     return best;
   }
 
+  const BoundsCost& cost() const { return turns_.cost(); }
+
  private:
   OneBound<d> one_bound(double t) {
     return turns_.bound(t, settings_.turns, settings_.relaxation);
@@ -169,8 +171,10 @@ VectorXd contributions(const BoundedQuantity<d>& bounded,
 template <int d>
 QuantityBounds narrowest_bounds(const BoundedQuantity<d>& bounded,
                                 const BoundSettings& settings) {
-  const BoundsOfStep<d> best = SearchOfBounds<d>(bounded, settings).narrowest();
+  SearchOfBounds<d> search(bounded, settings);
+  const BoundsOfStep<d> best = search.narrowest();
   QuantityBounds bounds = none(bounded, best.reason);
+  bounds.cost = search.cost();
   bounds.step = best.step();
   if (!best.found()) return bounds;
   bounds.upper = best.plus.value;

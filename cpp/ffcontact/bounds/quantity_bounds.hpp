@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "ffcontact/bounds/bounds_cost.hpp"
 #include "ffcontact/bounds/quantity.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "ffcontact/linear/norms.hpp"
@@ -47,6 +48,7 @@ struct QuantityBounds {
   double value = 0;  ///< l(u_h)
   double step = 0;   ///< s
   VectorXd local;    ///< >= 0 per cell, upper - lower in all
+  BoundsCost cost;
   /// why there are no bounds, one sentence without a full stop
   std::string reason;
 
