@@ -66,6 +66,21 @@ TEST(StepSearch, tries_the_model_that_stays_near_first) {
   EXPECT_NEAR(near.next(), 400, 5);
 }
 
+/// Widths of two solids whose meshes do not match, of whose error little is left at the steps
+/// that were tried.
+TEST(StepSearch, looks_far_below_where_the_error_is_no_part_of_the_width) {
+  const auto next = [](double error) {
+    StepSearch search(108, error);
+    search.add(27.08, 7.22e-3);
+    search.add(6.77, 4.5e-3);
+    search.add(9, 4.39e-3);
+    return search.next();
+  };
+  EXPECT_EQ(next(0), 0);
+  EXPECT_NEAR(next(6.7e-4), 1.02, 0.01);
+  EXPECT_EQ(next(5e-3), 0);
+}
+
 TEST(StepSearch, goes_no_farther_than_the_longest_step) {
   StepSearch search(1.5);
   search.add(1, 1);

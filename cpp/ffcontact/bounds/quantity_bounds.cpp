@@ -57,6 +57,14 @@ std::string reason_against(const Run& run) {
   }
 }
 
+/// Of its estimate, for s = 1.
+template <int d>
+double excess_of_solution(const BoundedQuantity<d>& bounded) {
+  const BoundPair<d> pair =
+      pair_of(bounded.bodies, bounded.solved.body, bounded.first);
+  return excess(bounded.bodies, pair, 1, bounded.coulomb_terms());
+}
+
 /// Looks for the narrowest bounds.
 template <int d>
 class SearchOfBounds {
@@ -67,7 +75,8 @@ class SearchOfBounds {
         turns_(bounded, settings.contact),
         longest_(longest_step(bounded.solved.system, turns_.factor(),
                               on_free_dofs(bounded.solved.system, bounded.load),
-                              bounded.stress)) {}
+                              bounded.stress)),
+        error_(2 * excess_of_solution(bounded)) {}
 
   BoundsOfStep<d> narrowest() {
     BoundsOfStep<d> best = first();
@@ -104,7 +113,7 @@ class SearchOfBounds {
 
   /// At this step and those that StepSearch has tried from it.
   BoundsOfStep<d> narrowest_from(BoundsOfStep<d> best) {
-    StepSearch search(longest_);
+    StepSearch search(longest_, error_);
     search.add(best.step(), best.width());
     double s = search.next();
     for (int k = 1; s > 0 && k < settings_.steps; ++k) {
@@ -147,6 +156,7 @@ class SearchOfBounds {
   BoundSettings settings_;
   BoundsByTurns<d> turns_;
   double longest_;
+  double error_;  ///< widths are near error_ / s on short steps
 };
 
 template <int d>

@@ -15,6 +15,9 @@ namespace {
 /// finds more.
 constexpr double worthwhile = 0.005;
 
+/// Of the width that a step far below has to promise.
+constexpr double far_worth = 0.5;
+
 /// The first step is left by this, the shortest and the longest one by no more
 /// and no less than these.
 constexpr double first_change = 4, most_change = 8, least_change = 2;
@@ -98,6 +101,11 @@ double between(const Width& before, const Width& best, const Width& after) {
 }  // namespace
 
 double StepSearch::next() const {
+  const double s = nearby();
+  return s > 0 ? s : far_below();
+}
+
+double StepSearch::nearby() const {
   const auto best = narrowest(width_), after = std::next(best);
   if (best->second <= 0) return 0;
   if (width_.size() == 1) return best->first / first_change;
@@ -105,6 +113,17 @@ double StepSearch::next() const {
   const auto before = std::prev(best);
   return after == width_.end() ? beside_the_longest(*before, *best, longest_)
                                : between(*before, *best, *after);
+}
+
+double StepSearch::far_below() const {
+  const auto& [s, width] = *width_.begin();
+  const double B = (width - error_ / s) / s;
+  if (B <= 0) return 0;
+  const double least = std::sqrt(error_ / B),
+               promised = 2 * std::sqrt(error_ * B);
+  const bool pays = least < s / first_change &&
+                    promised < far_worth * narrowest(width_)->second;
+  return pays ? least : 0;
 }
 
 }  // namespace ffcontact
