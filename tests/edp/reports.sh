@@ -136,9 +136,9 @@ eps = contacterror(S, lambda1=0, G1=0.5, lambda2=0, G2=0.5, e=e, elasticpart=ela
                    verbosity=level);
 expect("contacterror: " + (T1.nt + T2.nt) + " tetrahedra, eps " + 100*eps + " %, e " + e + ", " + (history.n - 1) + " steps, * s");
 expect("contacterror: bounds hold with e + " + beyond + " in place of e, as meshes do not match or directions turn");
+expect("contacterror: mu kappa " + 0.1*kappa + ", delta *, bound " + bound + ", sticking nodes held");
 expect("contacterror: elastic part " + elastic + ", contact part of e^2 " + part + ", that of springs 0, equilibrium defect " + balance
   + ", cone defect " + cone + ", penetration " + penetration);
-expect("contacterror: mu kappa " + 0.1*kappa + ", delta *, bound " + bound + ", sticking nodes held");
 
 {
   ofstream geo("reports.geo");
