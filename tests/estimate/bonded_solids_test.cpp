@@ -67,16 +67,39 @@ double error_of(const VectorXd& coarse, int upper, int lower) {
 }
 
 TEST(BondedSolidEstimate, bounds_the_error_closely) {
-  for (const auto& [upper, lower] : {std::pair(3, 2), std::pair(2, 4)}) {
+  // 1.25 and 1.35 of the first two, where tractions between the bodies stay as they are
+  struct Sizes {
+    int upper, lower;
+    double most;
+  };
+  for (const auto& [upper, lower, most] :
+       {Sizes{6, 4, 1.2}, Sizes{3, 2, 1.33}, Sizes{3, 4, 1.185},
+        Sizes{2, 4, 1.2}}) {
     const SolidStack two = stack_of(upper, lower);
     const ContactSolution<3> solution = two.problem.solve();
     const Estimate<3> found = estimate(two.problem, solution);
     ASSERT_EQ(found.reason, "");
     const double error = error_of(solution.displacement, upper, lower);
     EXPECT_GT(found.e + found.oscillation, error);
-    EXPECT_LT(found.e, 1.4 * error);
-    EXPECT_LT(found.oscillation, 0.5 * found.e);
+    EXPECT_LT(found.e, most * error);
+    EXPECT_LT(found.oscillation, 0.17 * found.e);
   }
+}
+
+/// Of 150 pairs e fell by 4 to 13 %, and what it is a bound with by 3 to 47 %.
+RC_GTEST_PROP(BondedSolidEstimate,
+              relaxes_tractions_on_meshes_that_do_not_match, (Random random)) {
+  SolidStack two = random_bonded_bricks(random);
+  pull(two);
+  const ContactSolution<3> solution = two.problem.solve();
+  const Estimate<3> found = estimate(two.problem, solution),
+                    inside =
+                        estimate(two.problem, solution, {}, relax_inside_alone);
+  RC_ASSERT(found.reason == "");
+  RC_ASSERT(found.equilibrium.largest() < 1e-11);
+  RC_ASSERT(found.e < 0.985 * inside.e);
+  RC_ASSERT(found.e + found.oscillation <
+            0.99 * (inside.e + inside.oscillation));
 }
 
 /// Where meshes match r_hat is relaxed, as tractions inside of one body are.

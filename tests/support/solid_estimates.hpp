@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
+#include "ffcontact/equilibrium/relaxation/facet_relaxation.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "support/solid_problems.hpp"
 
@@ -31,6 +34,15 @@ inline Estimate<3> estimate(const SolidProblem& problem,
 inline Estimate<3> estimate(const SolidProblem& problem,
                             const RelaxationSettings& settings = {}) {
   return estimate(problem, problem.solve(), settings);
+}
+
+/// relax_facets where contact tractions stay as they are.
+inline std::vector<double> relax_inside_alone(
+    FacetSetting<3> setting, const RelaxationSettings& settings,
+    FaceMoments& moments) {
+  setting.contact.clear();
+  setting.oscillation.clear();
+  return relax_facets<3>(setting, settings, moments);
 }
 
 }  // namespace ffcontact::test

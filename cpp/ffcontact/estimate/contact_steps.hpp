@@ -44,6 +44,14 @@ std::vector<ContactFacet<d>> contact_facets(
     const MatchedBodies<d>& bodies, const Compared<d>& compared,
     const ContactTractions<d>& tractions, const FacetTractions<d>& boundary);
 
+/// What other facets that face these do not carry of their tractions, for the relaxation; none
+/// in the plane, where traces match.
+/// @param tractions  before it
+template <int d>
+std::vector<FacingOscillation<d>> facing_oscillations(
+    const MatchedBodies<d>& bodies, const std::vector<ContactFacet<d>>& contact,
+    const ContactTractions<d>& tractions);
+
 /// r_hat of sigma_hat on the facets that were relaxed, in the cone where it is but for
 /// rounding, and what the boundary carries with it.
 template <int d>

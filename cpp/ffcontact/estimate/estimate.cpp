@@ -64,7 +64,11 @@ RelaxedTractions<d> relaxed(MatchedBodies<d>& bodies,
   FacetSetting<d> setting{
       {bodies.topology(), body.hooke, springs.empty() ? boundary : without,
        compared.body_loads(body), compared.stress, std::move(terms)}};
-  if (contact_is_free) setting.contact = result.facets;
+  if (contact_is_free) {
+    setting.contact = result.facets;
+    setting.oscillation =
+        facing_oscillations(bodies, result.facets, result.contact);
+  }
   if constexpr (d == 2)
     setting.kept_work = tool_work(mesh, bodies.contact(), body).fields;
   setting.report = settings.report;

@@ -16,7 +16,7 @@ namespace ffcontact {
 /// common refinement: non-penetration holds at each of its nodes, r_hat is linear on each
 /// of its edges, and the triangles beside it are the fans of the refinement. Surfaces have
 /// none: between them r_hat is linear on the faces, and where these do not match
-/// (matching_faces) it is not relaxed, and has an oscillation.
+/// (matching_faces) it has an oscillation, and is relaxed on whole faces (facing_faces).
 ///
 /// Bodies without loads whose stresses and tractions are below 1e-12 of the terms |C|
 /// |grad phi| max(|u|, |gap|, |previous|) that stresses are summed from, and that slide

@@ -42,6 +42,13 @@ std::vector<ContactFacet<2>> contact_facets(
 }
 
 template <>
+std::vector<FacingOscillation<2>> facing_oscillations(
+    const MatchedBodies<2>&, const std::vector<ContactFacet<2>>&,
+    const ContactTractions<2>&) {
+  return {};
+}
+
+template <>
 void put_relaxed(const MatchedBodies<2>& bodies,
                  const EstimateSettings<2>& settings,
                  const std::vector<ContactFacet<2>>& relaxed,

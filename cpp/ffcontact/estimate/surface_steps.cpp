@@ -10,6 +10,8 @@
 #include "ffcontact/estimate/displacement/sticking_displacement.hpp"
 #include "ffcontact/estimate/error/contact_faces.hpp"
 #include "ffcontact/estimate/error/facing_error.hpp"
+#include "ffcontact/estimate/error/facing_faces.hpp"
+#include "ffcontact/estimate/error/facing_oscillations.hpp"
 #include "ffcontact/estimate/error/surface_error.hpp"
 #include "ffcontact/estimate/error/traction_oscillation.hpp"
 #include "ffcontact/linear/norms.hpp"
@@ -87,14 +89,27 @@ std::vector<ContactFacet<3>> contact_facets(
     const ContactTractions<3>& tractions, const FaceTractions&) {
   const auto& [mesh, faces, ridges, stars] = bodies.topology();
   const ContactSurface& surface = bodies.contact();
-  std::vector<ContactFacet<3>> contact;
-  for (ContactFacet<3>& face : contact_faces(mesh, faces, surface, compared.law,
-                                             compared.displacement)) {
+  std::vector<ContactFacet<3>> contact,
+      all = contact_faces(mesh, faces, surface, compared.law,
+                          compared.displacement);
+  for (ContactFacet<3>& face :
+       facing_faces(mesh, faces, surface, compared.law, compared.displacement))
+    all.push_back(std::move(face));
+  for (ContactFacet<3>& face : all) {
     if (stays_unloaded(surface, compared, tractions.densities, face)) continue;
     face.beside = tractions.beside.col(face.index);
     contact.push_back(face);
   }
   return contact;
+}
+
+template <>
+std::vector<FacingOscillation<3>> facing_oscillations(
+    const MatchedBodies<3>& bodies, const std::vector<ContactFacet<3>>& contact,
+    const ContactTractions<3>& tractions) {
+  return facing_oscillations(bodies.topology().mesh, bodies.topology().facets,
+                             bodies.contact(), bodies.body().hooke, contact,
+                             tractions.densities);
 }
 
 template <>

@@ -132,6 +132,23 @@ std::vector<TractionPart> traction_parts(const SolidMesh& mesh,
   return parts;
 }
 
+FacePolygons::FacePolygons(const SolidMesh& mesh, const Facets<3>& faces,
+                           const ContactSurface& surface)
+    : polygons(surface.face_count()), parts(surface.face_count()) {
+  for (const FacingPolygon& polygon : surface.polygons)
+    polygons[polygon.contact_face].push_back(&polygon);
+  for (const TractionPart& part : traction_parts(mesh, faces, surface))
+    parts[part.contact_face].push_back(part);
+}
+
+bool FacePolygons::cover(int contact_face) const {
+  constexpr double nothing_left = 1e-9;
+  double share = 0;
+  for (const FacingPolygon* polygon : polygons[contact_face])
+    share += share_of(polygon->own);
+  return std::abs(share - 1) < nothing_left;
+}
+
 std::vector<FanTriangle> fan_of(const Ref<const Matrix3Xd>& corners) {
   std::vector<FanTriangle> triangles;
   for (int k = 2; k < corners.cols(); ++k) {

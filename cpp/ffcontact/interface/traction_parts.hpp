@@ -66,6 +66,18 @@ std::vector<TractionPart> traction_parts(const SolidMesh& mesh,
                                          const Facets<3>& faces,
                                          const ContactSurface& surface);
 
+/// The polygons and the parts of each contact face.
+struct FacePolygons {
+  std::vector<std::vector<const FacingPolygon*>> polygons;
+  std::vector<std::vector<TractionPart>> parts;
+
+  /// @param surface  stays where it is
+  FacePolygons(const SolidMesh& mesh, const Facets<3>& faces,
+               const ContactSurface& surface);
+  /// Do polygons have all of a face, once?
+  bool cover(int contact_face) const;
+};
+
 /// The triangles of a polygon from its first corner: three of its corners each, and the
 /// part of its face's area that they have.
 /// @param corners  barycentric [3 x k]

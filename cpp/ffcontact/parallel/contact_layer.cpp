@@ -10,10 +10,15 @@ namespace {
 std::vector<int> cells_of(const FacetSetting<3>& setting) {
   const FacetTopology<3>& topology = setting.body.topology;
   Flags edge(topology.ridges.count(), 0);
-  for (const ContactFacet<3>& contact : setting.contact)
-    for (int face : {contact.facet, contact.opposite})
-      for (int k = 0; k < 3 && face >= 0; ++k)
-        edge[topology.ridges.of_facet(k, face)] = 1;
+  const auto add = [&](int face) {
+    for (int k = 0; k < 3 && face >= 0; ++k)
+      edge[topology.ridges.of_facet(k, face)] = 1;
+  };
+  for (const ContactFacet<3>& contact : setting.contact) {
+    add(contact.facet);
+    add(contact.opposite);
+    for (const FacingPart<3>& part : contact.facing) add(part.facet);
+  }
   return cells_at(topology, edge);
 }
 
@@ -23,6 +28,8 @@ std::vector<ContactFacet<3>> in_part(std::vector<ContactFacet<3>> contact,
   for (ContactFacet<3>& face : contact) {
     face.facet = place_in(faces, face.facet);
     if (face.opposite >= 0) face.opposite = place_in(faces, face.opposite);
+    for (FacingPart<3>& part : face.facing)
+      part.facet = place_in(faces, part.facet);
   }
   return contact;
 }
@@ -32,7 +39,8 @@ std::vector<ContactFacet<3>> in_part(std::vector<ContactFacet<3>> contact,
 ContactLayer::ContactLayer(const FacetSetting<3>& setting,
                            const FaceMoments& moments)
     : of_(setting_of(setting, moments, cells_of(setting))),
-      own_{of_.body(), in_part(setting.contact, of_.part.face)},
+      own_{of_.body(), in_part(setting.contact, of_.part.face),
+           setting.oscillation},
       forms_(of_.part.topology, of_.hooke),
       pass_(own_, forms_, of_.moments) {}
 

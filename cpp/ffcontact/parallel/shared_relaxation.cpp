@@ -38,6 +38,9 @@ class LedContact : public ContactRelaxation<3> {
   }
 
   bool is_free() const override { return own_.has_contact; }
+  void weigh(double first_square) override {
+    layer_.pass().weigh(first_square);
+  }
   double contact_part() const override {
     return told(messages_, layer_.pass().contact_part());
   }

@@ -2,6 +2,7 @@
 #include "ffcontact/equilibrium/cone/contact_pass.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -30,7 +31,11 @@ template <int d>
 ContactPass<d>::ContactPass(const FacetSetting<d>& setting,
                             const FacetForms<d>& forms,
                             const FacetColumns<d>& moments)
-    : topology_(setting.body.topology), forms_(forms), contact_(setting) {
+    : topology_(setting.body.topology),
+      forms_(forms),
+      contact_(setting),
+      oscillation_(setting.oscillation),
+      oscillation_of_(setting.contact.size()) {
   for (const ContactFacet<d>& facet : contact_.facets()) {
     tractions_.push_back(traction_on<d>(facet, moments));
     const int cell = topology_.facets.cells(0, facet.facet);
@@ -38,7 +43,91 @@ ContactPass<d>::ContactPass(const FacetSetting<d>& setting,
   }
   for (RidgeGroup& group : ridge_groups<d>(topology_, contact_.facets()))
     stars_.emplace_back(topology_, std::move(group), contact_, forms);
+  add_facing_stars();
   colour();
+}
+
+/// What the tractions of a star do not leave to the facets that they face, by its corrections.
+template <int d>
+MatrixXd ContactPass<d>::form_of_oscillation(const FacingStar<d>& star) const {
+  const Index unknowns = star.columns.Z.cols();
+  MatrixXd form = MatrixXd::Zero(unknowns, unknowns);
+  for (std::size_t i = 0; i < star.contact.size(); ++i)
+    for (const auto& [k, part] : oscillation_of_[star.contact[i]])
+      for (std::size_t j = 0; j < star.contact.size(); ++j)
+        for (const auto& other : oscillation_[k].parts)
+          if (other.contact == star.contact[j])
+            form += star.tractions[i].transpose() *
+                    oscillation_[k].form(oscillation_[k].parts[part], other) *
+                    star.tractions[j];
+  return form;
+}
+
+template <int d>
+void ContactPass<d>::add_facing_stars() {
+  for (int k = 0; k < count_of(oscillation_); ++k)
+    for (int part = 0; part < count_of(oscillation_[k].parts); ++part)
+      oscillation_of_[oscillation_[k].parts[part].contact].emplace_back(k,
+                                                                        part);
+  facing_ = facing_stars<d>(topology_, contact_.facets());
+  elastic_.resize(facing_.size());
+  beyond_.resize(facing_.size());
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t s = 0; s < facing_.size(); ++s) {
+    FacingStar<d>& star = facing_[s];
+    star.columns = with_least_modes<d>(topology_, forms_,
+                                       std::move(star.columns), elastic_[s]);
+    beyond_[s] = form_of_oscillation(star);
+  }
+  for (std::size_t s = 0; s < facing_.size(); ++s)
+    stars_.emplace_back(contact_, facing_[s].contact, facing_[s].tractions,
+                        elastic_[s] + weight_ * beyond_[s]);
+}
+
+template <int d>
+void ContactPass<d>::weigh(double first_square) {
+  constexpr double gain = 4, least = 1.0 / 256, most = 4;
+  const double square = oscillation();
+  if (!(square > 0)) return;
+  weight_ = std::clamp(first_square / square / (gain * gain), least, most);
+  for (std::size_t s = 0; s < facing_.size(); ++s)
+    stars_[group_count() + s] =
+        Star(contact_, facing_[s].contact, facing_[s].tractions,
+             elastic_[s] + weight_ * beyond_[s]);
+}
+
+/// o^2
+template <int d>
+double ContactPass<d>::oscillation() const {
+  return sum_over(oscillation_.size(),
+                  [&](int k) { return oscillation_[k].value(tractions_); });
+}
+
+template <int d>
+std::vector<int> ContactPass<d>::cells_of(int star) const {
+  if (star >= group_count())
+    return cells_beside<d>(topology_.facets,
+                           facing_[star - group_count()].columns.facet);
+  std::vector<int> cells;
+  for (int ridge : stars_[star].group().ridge)
+    for (const Wedge& wedge : wedges_of<d>(topology_, ridge))
+      cells.push_back(wedge.cell);
+  return cells;
+}
+
+/// Half the slope of e^2 by the corrections of a star, without contact_term.
+template <int d>
+VectorXd ContactPass<d>::slope_of(int star,
+                                  const FacetColumns<d>& residual) const {
+  if (star < group_count())
+    return -group_restricted<d>(topology_, stars_[star].group(), residual);
+  const FacingStar<d>& facing = facing_[star - group_count()];
+  VectorXd slope = -restricted<d>(facing.columns, residual);
+  for (std::size_t i = 0; i < facing.contact.size(); ++i)
+    for (const auto& [k, part] : oscillation_of_[facing.contact[i]])
+      slope += weight_ * facing.tractions[i].transpose() *
+               oscillation_[k].slope(oscillation_[k].parts[part], tractions_);
+  return slope;
 }
 
 /// The lowest colour that no star before it with a cell in common has.
@@ -46,10 +135,7 @@ template <int d>
 void ContactPass<d>::colour() {
   std::map<int, std::vector<int>> taken;  // of each cell
   for (int s = 0; s < count_of(stars_); ++s) {
-    std::vector<int> cells;
-    for (int ridge : stars_[s].group().ridge)
-      for (const Wedge& wedge : wedges_of<d>(topology_, ridge))
-        cells.push_back(wedge.cell);
+    const std::vector<int> cells = cells_of(s);
     int colour = 0;
     while (is_taken(taken, cells, colour)) ++colour;
     for (int cell : cells) taken[cell].push_back(colour);
@@ -76,10 +162,8 @@ std::vector<typename ContactStar<d>::Change> ContactPass<d>::changes(
   constexpr std::size_t worth_threads = 64;  // fewer stars than a wait takes
 #pragma omp parallel for if (colour.size() >= worth_threads)
   for (std::size_t k = 0; k < colour.size(); ++k) {
-    const Star& star = stars_[colour[k]];
-    changes[k] =
-        star.change(-group_restricted<d>(topology_, star.group(), residual),
-                    scales, tractions_);
+    changes[k] = stars_[colour[k]].change(slope_of(colour[k], residual), scales,
+                                          tractions_);
   }
   return changes;
 }
@@ -93,8 +177,7 @@ double ContactPass<d>::pass(double least_fall, FacetColumns<d>& corrections,
     const auto found = changes(colour, of_pass, residual);
     for (std::size_t k = 0; k < colour.size(); ++k) {
       fall += found[k].fall;
-      if (found[k].fall > 0)
-        add(stars_[colour[k]].group(), found[k].x, corrections, residual);
+      if (found[k].fall > 0) add(colour[k], found[k].x, corrections, residual);
     }
   }
   return fall;
@@ -102,9 +185,14 @@ double ContactPass<d>::pass(double least_fall, FacetColumns<d>& corrections,
 
 /// Stars of one colour share facets outside their cells: one after the other.
 template <int d>
-void ContactPass<d>::add(const RidgeGroup& group, const VectorXd& x,
+void ContactPass<d>::add(int star, const VectorXd& x,
                          FacetColumns<d>& corrections,
                          FacetColumns<d>& residual) const {
+  if (star >= group_count())
+    return add_columns<d>(topology_, forms_,
+                          facing_[star - group_count()].columns, x, corrections,
+                          residual);
+  const RidgeGroup& group = stars_[star].group();
   for (int k = 0; k < count_of(group.ridge); ++k)
     add_around<d>(topology_, forms_, group.ridge[k], x(group.of_ridge(k)),
                   corrections, residual);
@@ -115,7 +203,7 @@ double ContactPass<d>::contact_part() const {
   const double sum = sum_over(tractions_.size(), [&](int m) {
     return contact_term<d>(contact_.facets()[m], tractions_[m]);
   });
-  return 2 * sum;
+  return 2 * sum + weight_ * oscillation();
 }
 
 template class ContactPass<FFCONTACT_DIMENSION>;

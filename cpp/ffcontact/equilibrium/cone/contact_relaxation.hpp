@@ -12,7 +12,9 @@ class ContactRelaxation {
   virtual ~ContactRelaxation() = default;
   /// Is there anything to relax?
   virtual bool is_free() const = 0;
-  /// The contact part of e^2.
+  /// Before the first step, of which e^2 is given: how much FacingOscillation counts.
+  virtual void weigh(double) {}
+  /// The contact part of e^2, and FacingOscillation.
   virtual double contact_part() const = 0;
   /// One pass; returns by how much e^2 fell.
   /// @param least_fall   what is nothing

@@ -75,6 +75,19 @@ ContactStar<d>::ContactStar(const FacetTopology<d>& topology, RidgeGroup group,
 }
 
 template <int d>
+ContactStar<d>::ContactStar(const FreeContact<d>& contact,
+                            std::vector<int> index,
+                            std::vector<MatrixXd> tractions, MatrixXd form)
+    : group_{{}, {static_cast<int>(form.rows())}},
+      contact_(&contact),
+      index_(std::move(index)),
+      basis_(MatrixXd::Identity(form.rows(), form.rows())),
+      P_(std::move(tractions)) {
+  for (int i = 0; i < form.rows(); ++i) outside_.push_back(i);
+  reduce(form);
+}
+
+template <int d>
 void ContactStar<d>::find_basis(const FacetTopology<d>& topology) {
   std::vector<BoundarySpoke<d>> spokes = boundary_spokes<d>(topology, group_);
   for (BoundarySpoke<d>& spoke : spokes)

@@ -27,6 +27,13 @@ class ContactStar {
   ContactStar(const FacetTopology<d>& topology, RidgeGroup group,
               const FreeContact<d>& contact, const FacetForms<d>& forms);
 
+  /// Of corrections that need no basis, x = t.
+  /// @param index      the contact facets that they change
+  /// @param tractions  of each by x
+  /// @param form       A
+  ContactStar(const FreeContact<d>& contact, std::vector<int> index,
+              std::vector<MatrixXd> tractions, MatrixXd form);
+
   const RidgeGroup& group() const { return group_; }
   /// Is there anything to change?
   bool is_free() const { return is_free_; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/cone/free_contact.hpp"
 
+#include <algorithm>
+
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/linear/dense/least_squares.hpp"
 
@@ -15,6 +17,17 @@ namespace {
 /// the same twice.
 template <int d>
 constexpr double negligible_change = d > 2 ? 1e-9 : 1e-12;
+
+/// Without those that face several facets.
+template <int d>
+std::vector<ContactFacet<d>> matching(std::vector<ContactFacet<d>> facets) {
+  const auto faces_several = [](const ContactFacet<d>& facet) {
+    return !facet.facing.empty();
+  };
+  facets.erase(std::remove_if(facets.begin(), facets.end(), faces_several),
+               facets.end());
+  return facets;
+}
 
 }  // namespace
 
@@ -44,9 +57,10 @@ FreeContact<d>::FreeContact(const FacetSetting<d>& setting)
       boundary_(setting.body.boundary),
       facets_(setting.contact),
       kept_work_(setting.kept_work),
-      known_(without_contact<d>(boundary_.known, facets_)),
+      known_(without_contact<d>(boundary_.known, matching<d>(facets_))),
       index_(mesh_facets_.count(), -1) {
-  for (int m = 0; m < count_of(facets_); ++m) index_[facets_[m].facet] = m;
+  for (int m = 0; m < count_of(facets_); ++m)
+    if (facets_[m].facing.empty()) index_[facets_[m].facet] = m;
 }
 
 template <int d>

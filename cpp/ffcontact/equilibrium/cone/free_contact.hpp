@@ -16,7 +16,8 @@ class FreeContact {
   explicit FreeContact(const FacetSetting<d>& setting);
 
   const std::vector<ContactFacet<d>>& facets() const { return facets_; }
-  /// The contact facet that a facet of the mesh is, or -1.
+  /// The contact facet that a facet of the mesh is, or -1; those that face several facets of
+  /// another body count as known boundary.
   int index_of(int facet) const { return index_[facet]; }
 
   /// Basis of the corrections of a group that leave known boundary tractions alone, r_t

@@ -29,7 +29,7 @@ std::map<int, std::set<int>> joined_ridges(
   const auto& of_facet = topology.ridges.of_facet;
   std::vector<int> ridges;
   for (const ContactFacet<d>& facet : contact)
-    for (int k = 0; k < d; ++k) {
+    for (int k = 0; k < d && facet.facing.empty(); ++k) {
       const int own = of_facet(k, facet.facet);
       ridges.push_back(own);
       if (facet.opposite < 0) continue;

@@ -21,7 +21,7 @@ struct RidgeGroup {
   auto of_ridge(int k) const { return Eigen::seq(first[k], first[k + 1] - 1); }
 };
 
-/// Those of contact facets: in the plane in the order of the line, in space in that of their
+/// Those of contact facets that match, or face a rigid foundation: in the plane in the order of the line, in space in that of their
 /// middles; neither depends on how mesh and surface are numbered.
 template <int d>
 std::vector<RidgeGroup> ridge_groups(

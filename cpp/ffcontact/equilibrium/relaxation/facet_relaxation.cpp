@@ -66,6 +66,7 @@ std::vector<double> relax(FacetDescent<d>& descent,
                           const ProgressReport& report) {
   using Rule = RelaxationRule<d>;
   const double first_square = descent.begin();
+  contact.weigh(first_square);
   RelaxationProgress progress(first_square, contact.contact_part());
   std::vector<double> falls, e{progress.e()};
   bool goes_on = true, passes = contact.is_free();

@@ -17,9 +17,12 @@ double contact_term(const ContactFacet<d>& facet, const MatrixOf<d>& traction) {
 template <int d>
 KnownTractions<d> without_contact(KnownTractions<d> known,
                                   const std::vector<ContactFacet<d>>& contact) {
-  for (const ContactFacet<d>& facet : contact)
+  for (const ContactFacet<d>& facet : contact) {
     for (int f : {facet.facet, facet.opposite})
       if (f >= 0) known.col(f).setConstant(false);
+    for (const FacingPart<d>& part : facet.facing)
+      known.col(part.facet).setConstant(false);
+  }
   return known;
 }
 

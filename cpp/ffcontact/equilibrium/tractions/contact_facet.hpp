@@ -10,6 +10,15 @@
 
 namespace ffcontact {
 
+/// What a contact facet does to a facet of another body that it faces in part: the moments
+/// there by its (r_n, r_t) at its vertices, of the linear traction nearest to the opposite
+/// one, with its force and moment.
+template <int d>
+struct FacingPart {
+  int facet;                 ///< of the mesh
+  FacetMatrix<d> moments{};  ///< [mm or mm^2]
+};
+
 /// A contact facet, its law and its displacement w against what it faces, for tractions
 /// r_hat by (r_n, r_t) at its vertices, one column each [MPa]: linear between them, or bent
 /// as the directions turn (moments_of_ends in the plane, BentTraction in space).
@@ -20,8 +29,10 @@ struct ContactFacet {
   /// the mesh facet of another body that matches it and feels the opposite traction, or -1
   int opposite = -1;
   Matrix<int, d, 1> opposite_corner;  ///< which its corners face
-  double measure;                     ///< [mm or mm^2]
-  std::array<MatrixOf<d>, d> frame;   ///< columns n, t at its vertices
+  /// where none matches, those of another body that all of it faces
+  std::vector<FacingPart<d>> facing{};
+  double measure;                    ///< [mm or mm^2]
+  std::array<MatrixOf<d>, d> frame;  ///< columns n, t at its vertices
   /// moments of bent tractions by these, and back [d^2 x d^2]; empty of linear ones
   MatrixXd moments_of_bent, bent_of_moments;
   std::array<FrictionCone, d> cone;  ///< of tractions there
@@ -45,7 +56,7 @@ struct ContactFacet {
 template <int d>
 double contact_term(const ContactFacet<d>& facet, const MatrixOf<d>& traction);
 
-/// Without the components of contact facets, and of those that match them: what relaxation
+/// Without the components of contact facets, and of those that they face: what relaxation
 /// leaves alone.
 template <int d>
 KnownTractions<d> without_contact(KnownTractions<d> known,

@@ -128,7 +128,11 @@ void put_moments(const std::vector<ContactFacet<3>>& contact,
     const Vector9d own = moments_of<3>(face, of_face(tractions, m)).reshaped() +
                          face.beside,
                    change = own - moments.col(face.facet);
+    const Matrix3d before = traction_on<3>(face, moments);
     moments.col(face.facet) = own;
+    for (const FacingPart<3>& part : face.facing)
+      moments.col(part.facet) +=
+          part.moments * (of_face(tractions, m) - before).reshaped();
     for (int k = 0; k < 3 && face.opposite >= 0; ++k)
       moments.col(face.opposite).segment<3>(3 * face.opposite_corner[k]) -=
           change.segment<3>(3 * k);

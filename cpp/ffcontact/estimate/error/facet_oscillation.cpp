@@ -19,6 +19,23 @@ VoigtMatrix<d> transported(const MatrixOf<d>& B,
   return T.transpose() * compliance * T / B.determinant();
 }
 
+/// From the regular cell to another one.
+template <int d>
+MatrixOf<d> from_regular_cell(const CellCorners<d>& corners) {
+  return piola_matrix<d>(corners) *
+         piola_matrix<d>(regular_cell<d>()).inverse();
+}
+
+/// lambda kappa^2 A / A_1
+template <int d>
+double oscillation_factor(const MatrixOf<d>& B,
+                          const VoigtMatrix<d>& compliance, double measure) {
+  const double lambda = symmetric_eigen(transported<d>(B, compliance))
+                            .values.maxCoeff(),
+               regular_measure = d == 2 ? 1 : std::sqrt(3.0) / 4;
+  return lambda * traction_constant<d> * measure / regular_measure;
+}
+
 }  // namespace
 
 template <int d>
@@ -35,14 +52,18 @@ template <int d>
 double facet_oscillation_square(const CellCorners<d>& corners,
                                 const VoigtMatrix<d>& compliance,
                                 double measure, const MatrixOf<d>& square) {
-  const MatrixOf<d> B = piola_matrix<d>(corners) *
-                        piola_matrix<d>(regular_cell<d>()).inverse(),
-                    back = B.inverse();
-  const double lambda = symmetric_eigen(transported<d>(B, compliance))
-                            .values.maxCoeff(),
-               regular_measure = d == 2 ? 1 : std::sqrt(3.0) / 4;
-  return lambda * traction_constant<d> * measure / regular_measure *
+  const MatrixOf<d> B = from_regular_cell<d>(corners), back = B.inverse();
+  return oscillation_factor<d>(B, compliance, measure) *
          (back * square * back.transpose()).trace();
+}
+
+template <int d>
+MatrixOf<d> facet_oscillation_form(const CellCorners<d>& corners,
+                                   const VoigtMatrix<d>& compliance,
+                                   double measure) {
+  const MatrixOf<d> B = from_regular_cell<d>(corners), back = B.inverse();
+  return oscillation_factor<d>(B, compliance, measure) * back.transpose() *
+         back;
 }
 
 template CellCorners<FFCONTACT_DIMENSION> regular_cell();
@@ -50,5 +71,8 @@ template double facet_oscillation_square<FFCONTACT_DIMENSION>(
     const CellCorners<FFCONTACT_DIMENSION>&,
     const VoigtMatrix<FFCONTACT_DIMENSION>&, double,
     const MatrixOf<FFCONTACT_DIMENSION>&);
+template MatrixOf<FFCONTACT_DIMENSION> facet_oscillation_form(
+    const CellCorners<FFCONTACT_DIMENSION>&,
+    const VoigtMatrix<FFCONTACT_DIMENSION>&, double);
 
 }  // namespace ffcontact

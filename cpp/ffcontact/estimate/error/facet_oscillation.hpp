@@ -47,6 +47,12 @@ double facet_oscillation_square(const CellCorners<d>& corners,
                                 const VoigtMatrix<d>& compliance,
                                 double measure, const MatrixOf<d>& square);
 
+/// G with |d|_F'^2 = int_F d' G d.
+template <int d>
+MatrixOf<d> facet_oscillation_form(const CellCorners<d>& corners,
+                                   const VoigtMatrix<d>& compliance,
+                                   double measure);
+
 /// (sum over T of (sum over F of |d|_F')^2)^(1/2) as it grows.
 class OscillationSum {
  public:
