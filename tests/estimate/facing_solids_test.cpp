@@ -191,7 +191,7 @@ RC_GTEST_PROP(FacingSolids, bounds_the_error_without_friction_and_with_trescas,
   // sigma_hat lacks what tractions have beyond linear ones
   const double bound = found.e + (loads.match() ? 0 : 2 * found.oscillation);
   RC_ASSERT(bound * bound > (1 - 1e-9) * both);
-  // 1.05 of 600 pairs that match; 1.24 of 900 others, seldom 1.31: r_hat is not relaxed
+  // 1.05 of 600 pairs that match; 1.24 of 900 others, seldom 1.31
   RC_ASSERT(found.e < (loads.match() ? 1.1 : 1.45) * std::sqrt(both));
   RC_ASSERT(found.e > 0.95 * std::sqrt(both));
 }
@@ -215,7 +215,8 @@ RC_GTEST_PROP(FacingSolids, bounds_the_error_with_coulombs, (Random random)) {
   RC_CLASSIFY(std::isfinite(coulomb.bound), "bound");
   RC_ASSERT(coulomb.bound > std::sqrt(off.dot(K * off)));
   RC_ASSERT(coulomb.bound >= found.e + found.oscillation);
-  RC_ASSERT(coulomb.missed < 0.05 * found.e);
+  // of tractions as they are relaxed, off the bound of friction: 0.126 of 120 pairs
+  RC_ASSERT(coulomb.missed < 0.2 * found.e);
 }
 
 /// A block that nothing but another one holds along z, a part of it beyond the other's edge.

@@ -2,6 +2,7 @@
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/bounds/contact_of_bounds.hpp"
 #include "ffcontact/elastic/dofs.hpp"
+#include "ffcontact/estimate/error/facing_faces.hpp"
 #include "ffcontact/estimate/error/surface_error.hpp"
 #include "ffcontact/interface/traction_parts.hpp"
 
@@ -25,9 +26,12 @@ FaceMoments moments_of(const MatchedBodies<3>& bodies,
                            FaceMoments::Zero(9, faces.count())};
   FaceMoments moments =
       with_contact(none, mesh, faces, bodies.contact(), rho.nodal).moments;
-  const auto contact = faces_with(bodies, bodies.body().displacement);
-  put_moments(contact, rho.on_faces(Eigen::all, surface_faces(contact)),
-              moments);
+  const VectorXd& u = bodies.body().displacement;
+  for (const auto& contact :
+       {faces_with(bodies, u),
+        facing_faces(mesh, faces, bodies.contact(), bodies.body().law, u)})
+    put_moments(contact, rho.on_faces(Eigen::all, surface_faces(contact)),
+                moments);
   return moments;
 }
 

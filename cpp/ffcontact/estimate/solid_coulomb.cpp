@@ -2,6 +2,8 @@
 #include "ffcontact/estimate/solid_coulomb.hpp"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
@@ -10,6 +12,7 @@
 #include "ffcontact/contact/uniqueness/slip_pattern.hpp"
 #include "ffcontact/equilibrium/stress/facet_density.hpp"
 #include "ffcontact/estimate/error/contact_faces.hpp"
+#include "ffcontact/estimate/error/facing_faces.hpp"
 #include "ffcontact/estimate/tractions/surface_tractions.hpp"
 #include "ffcontact/interface/traction_parts.hpp"
 #include "ffcontact/linear/norms.hpp"
@@ -62,6 +65,8 @@ class PairOnSurface {
         friction_(surface.node_count()) {
     if (!surface.against_a_body())
       faces_ = faces_of_nodes(topology, surface, estimate.face_tractions);
+    else
+      put_parts(topology, law, estimate);
     visit([&](int node, const Vector3d& r, double area) {
       friction_.add(node, cones_[node], r, area);
     });
@@ -77,12 +82,18 @@ class PairOnSurface {
     visit([&](int node, const Vector3d& r, double) {
       reached = reached || cones_[node].at_limit(r[0]);
     });
+    for (const auto& [part, traction] : parts_)
+      for (Index a = 0; a < traction.cols(); ++a) {
+        const int node = face_hats(surface_, part.contact_face).node[a];
+        reached = reached || cones_[node].at_limit(traction(0, a));
+      }
     return reached;
   }
 
   /// int phi_i d
   Matrix2Xd missed_moments() const {
-    return surface_.against_a_body() ? moments_of_nodes() : moments_of_faces();
+    if (!surface_.against_a_body()) return moments_of_faces();
+    return parts_.empty() ? moments_of_nodes() : moments_of_parts();
   }
 
  private:
@@ -126,6 +137,44 @@ class PairOnSurface {
     return moments;
   }
 
+  /// Where faces that do not match were relaxed: what each face feels, with r_hat at its nodes.
+  void put_parts(const Topology<3>& topology, const ContactLaw<3>& law,
+                 const Estimate<3>& estimate) {
+    const auto& [mesh, faces, ridges, stars] = topology;
+    Flags relaxed(surface_.face_count(), 0);
+    for (const ContactFacet<3>& face :
+         facing_faces(mesh, faces, surface_, law, estimate.displacement))
+      relaxed[face.index] = 1;
+    if (std::count(relaxed.begin(), relaxed.end(), 1) == 0) return;
+    for (const TractionPart& part : traction_parts(mesh, faces, surface_)) {
+      const int m = part.contact_face;
+      if (part.face != surface_.face[m]) continue;
+      if (relaxed[m])
+        parts_.push_back({part, of_face(estimate.face_tractions, m)});
+      else
+        parts_.push_back(
+            {part, nodal_(Eigen::all, face_hats(surface_, m).node)});
+    }
+  }
+
+  Matrix2Xd moments_of_parts() const {
+    Matrix2Xd moments = Matrix2Xd::Zero(2, surface_.node_count());
+    for (const auto& [part, traction] : parts_) {
+      const FaceHats hats = face_hats(surface_, part.contact_face);
+      Matrix3Xd d(3, traction.cols());
+      for (Index a = 0; a < d.cols(); ++a)
+        d.col(a) = surface_.frame(hats.node[a]) *
+                   missed(hats.node[a], traction.col(a));
+      const Matrix3Xd of_nodes =
+          raised(d * hats.hat.transpose()) * part.weight * hats.hat;
+      for (Index a = 0; a < d.cols(); ++a)
+        moments.col(hats.node[a]) +=
+            surface_.frame(hats.node[a]).rightCols<2>().transpose() *
+            of_nodes.col(a);
+    }
+    return moments;
+  }
+
   Matrix2Xd moments_of_faces() const {
     Matrix2Xd moments = Matrix2Xd::Zero(2, surface_.node_count());
     for (const FaceOfNodes& face : faces_) {
@@ -146,6 +195,8 @@ class PairOnSurface {
   std::vector<FrictionCone> cones_;
   const Matrix3Xd& nodal_;
   std::vector<FaceOfNodes> faces_;  ///< on a rigid foundation
+  /// what faces feel, and r_hat at the nodes of each
+  std::vector<std::pair<TractionPart, Matrix3Xd>> parts_;
   NodalFriction friction_;
   Matrix2Xd s_;
 };
