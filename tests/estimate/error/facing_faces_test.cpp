@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/estimate/error/facing_error.hpp"
 #include "support/facing_contact.hpp"
 
