@@ -144,6 +144,29 @@ double called(Stack stack, const NamedArguments& named, Team& team,
   return value;
 }
 
+template <int d>
+double error(Stack stack, const NamedArguments& named, SharedContact& contact,
+             const ReadBodies<d>& read,
+             const std::function<double(const ReadBodies<d>&)>& judge) {
+  const SharedBodies<d>& bodies = bodies_of<d>(contact);
+  return called<d>(
+      stack, named, *contact.team, bodies,
+      [&] {
+        SolvedBody<d> body;
+        const auto oscillation = read(bodies.own, body);
+        Packet packet;
+        put(columns_of(body, oscillation), packet);
+        return packet;
+      },
+      [&](std::vector<Packet> packets) {
+        std::vector<ReadColumns> all;
+        for (Packet& packet : packets) all.push_back(read_in(packet));
+        return judge([&](const auto&, SolvedBody<d>& body) {
+          return take(joined(all, bodies), body);
+        });
+      });
+}
+
 template <int dim>
 double sizes(Stack stack, const NamedArguments& named, SharedContact& contact,
              const std::vector<VectorXd>& arrays,
@@ -177,23 +200,7 @@ template <int d>
 double error_shared(Stack stack, const NamedArguments& named,
                     SharedContact& contact, const ReadBodies<d>& read,
                     const std::function<double(const ReadBodies<d>&)>& judge) {
-  const SharedBodies<d>& bodies = bodies_of<d>(contact);
-  return called<d>(
-      stack, named, *contact.team, bodies,
-      [&] {
-        SolvedBody<d> body;
-        const auto oscillation = read(bodies.own, body);
-        Packet packet;
-        put(columns_of(body, oscillation), packet);
-        return packet;
-      },
-      [&](std::vector<Packet> packets) {
-        std::vector<ReadColumns> all;
-        for (Packet& packet : packets) all.push_back(read_in(packet));
-        return judge([&](const auto&, SolvedBody<d>& body) {
-          return take(joined(all, bodies), body);
-        });
-      });
+  return error<d>(stack, named, contact, read, judge);
 }
 
 template double error_shared(
