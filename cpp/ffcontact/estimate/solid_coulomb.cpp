@@ -92,8 +92,7 @@ class PairOnSurface {
 
   /// int phi_i d
   Matrix2Xd missed_moments() const {
-    if (!surface_.against_a_body()) return moments_of_faces();
-    return parts_.empty() ? moments_of_nodes() : moments_of_parts();
+    return surface_.against_a_body() ? moments_of_parts() : moments_of_faces();
   }
 
  private:
@@ -126,26 +125,15 @@ class PairOnSurface {
     return d;
   }
 
-  Matrix2Xd moments_of_nodes() const {
-    Matrix3Xd d(3, nodal_.cols());
-    for (int i = 0; i < surface_.node_count(); ++i)
-      d.col(i) = surface_.frame(i) * missed(i, nodal_.col(i));
-    d = d * surface_.mass;
-    Matrix2Xd moments(2, d.cols());
-    for (int i = 0; i < surface_.node_count(); ++i)
-      moments.col(i) = (surface_.frame(i).transpose() * d.col(i)).tail<2>();
-    return moments;
-  }
-
-  /// Where faces that do not match were relaxed: what each face feels, with r_hat at its nodes.
+  /// What each face feels, with r_hat at its nodes: its own where it was relaxed.
   void put_parts(const Topology<3>& topology, const ContactLaw<3>& law,
                  const Estimate<3>& estimate) {
     const auto& [mesh, faces, ridges, stars] = topology;
     Flags relaxed(surface_.face_count(), 0);
-    for (const ContactFacet<3>& face :
-         facing_faces(mesh, faces, surface_, law, estimate.displacement))
-      relaxed[face.index] = 1;
-    if (std::count(relaxed.begin(), relaxed.end(), 1) == 0) return;
+    for (const auto& of_kind : {contact_faces, facing_faces})
+      for (const ContactFacet<3>& face :
+           of_kind(mesh, faces, surface_, law, estimate.displacement))
+        relaxed[face.index] = 1;
     for (const TractionPart& part : traction_parts(mesh, faces, surface_)) {
       const int m = part.contact_face;
       if (part.face != surface_.face[m]) continue;
