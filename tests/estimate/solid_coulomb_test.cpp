@@ -13,6 +13,7 @@
 #include "support/nested_solids.hpp"
 #include "support/random.hpp"
 #include "support/solid_coulomb.hpp"
+#include "support/solid_stacks.hpp"
 
 namespace ffcontact::test {
 namespace {
@@ -169,6 +170,31 @@ RC_GTEST_PROP(SolidCoulomb, bounds_the_error_under_random_loads,
   RC_ASSERT(bound >= error);
 }
 
+template <class Visit>
+void for_corners(const SolidProblem& problem, const Estimate<3>& found,
+                 const Visit& visit) {
+  const ContactSurface& surface = problem.surface;
+  for (int m = 0; m < surface.face_count(); ++m)
+    for (int k = 0; k < 3; ++k)
+      visit(m, surface.face_node(k, m),
+            Vector3d(found.face_tractions.col(m).segment<3>(3 * k)),
+            facet_measure(problem.mesh, problem.faces, surface.face[m]));
+}
+
+/// int phi_i (r_t + mu |r_n| s) on a plane.
+Matrix2Xd missed_moments(const SolidProblem& problem, const Estimate<3>& found,
+                         const Matrix2Xd& s) {
+  const double mu = problem.law.friction[0];
+  Matrix2Xd moments = Matrix2Xd::Zero(2, s.cols());
+  for_corners(problem, found,
+              [&](int m, int node, const Vector3d& r, double area) {
+                const Vector2d d = r.tail<2>() - mu * r[0] * s.col(node);
+                for (int other : problem.surface.face_node.col(m))
+                  moments.col(other) += area / (other == node ? 6 : 12) * d;
+              });
+  return moments;
+}
+
 /// On a plane: s, d and their moments as the header says, from the arrays alone.
 RC_GTEST_PROP(SolidCoulomb, directions_and_moments_are_those_of_the_pair,
               (Random random)) {
@@ -183,20 +209,13 @@ RC_GTEST_PROP(SolidCoulomb, directions_and_moments_are_those_of_the_pair,
   const double mu = problem.law.friction[0];
   const Matrix3Xd w = contact_components(surface, found.displacement);
   const int nodes = surface.node_count();
-  Matrix2Xd force = Matrix2Xd::Zero(2, nodes), s(2, nodes),
-            moments = Matrix2Xd::Zero(2, nodes);
+  Matrix2Xd force = Matrix2Xd::Zero(2, nodes), s(2, nodes);
   VectorXd bound = VectorXd::Zero(nodes);
-  const auto each_corner = [&](const auto& visit) {
-    for (int m = 0; m < surface.face_count(); ++m)
-      for (int k = 0; k < 3; ++k)
-        visit(m, surface.face_node(k, m),
-              Vector3d(found.face_tractions.col(m).segment<3>(3 * k)),
-              facet_measure(problem.mesh, problem.faces, surface.face[m]));
-  };
-  each_corner([&](int, int node, const Vector3d& r, double area) {
-    force.col(node) += area * r.tail<2>();
-    bound[node] -= area * mu * r[0];
-  });
+  for_corners(problem, found,
+              [&](int, int node, const Vector3d& r, double area) {
+                force.col(node) += area * r.tail<2>();
+                bound[node] -= area * mu * r[0];
+              });
   for (int i = 0; i < nodes; ++i) {
     const Vector2d slipped = w.col(i).tail<2>();
     if (slipped.norm() > 1e-9 * found.displacement.lpNorm<Eigen::Infinity>())
@@ -207,13 +226,32 @@ RC_GTEST_PROP(SolidCoulomb, directions_and_moments_are_those_of_the_pair,
     RC_ASSERT((slip.weight.col(i) - s.col(i)).norm() < 1e-9);
     RC_ASSERT(slip.weight.col(i).norm() < 1 + 1e-12);
   }
-  each_corner([&](int m, int node, const Vector3d& r, double area) {
-    const Vector2d d = r.tail<2>() - mu * r[0] * s.col(node);
-    for (int other : surface.face_node.col(m))
-      moments.col(other) += area / (other == node ? 6 : 12) * d;
-  });
+  const Matrix2Xd moments = missed_moments(problem, found, s);
   RC_ASSERT((slip.missed - moments).norm() <
             1e-9 * (force.norm() + moments.norm()));
+}
+
+/// Relaxed as those of one body are.
+RC_GTEST_PROP(SolidCoulomb, moments_between_bodies_that_match_are_of_their_pair,
+              (Random random)) {
+  SolidMesh lower = brick({3, 2, 1}, {3, 2, 1});
+  lower.vertices.row(2).array() -= 1;
+  SolidStack two({brick({3, 2, 2}, {3, 2, 1}), lower}, *real(0.05, 0.5));
+  two.problem.load(two.label(0, high_x), 10 * random_vector(3, random));
+  two.problem.move(two.label(0, high_z), [](const Vector3d& x) {
+    return Vector3d(2e-3, 1e-3, -3e-3 + 5e-4 * x.x());
+  });
+  two.problem.move(two.label(1, low_z),
+                   [](const Vector3d&) { return Vector3d::Zero(); });
+  const ContactSolution<3> solution = two.problem.solve();
+  RC_PRE(solution.status == ContactStatus::converged);
+  const Estimate<3> found = estimate(two.problem, solution);
+  const DirectedSlip slip =
+      directed_slip(topology_of(two.problem.mesh), two.problem.surface,
+                    solved_solid(two.problem, solution), found);
+  const Matrix2Xd moments = missed_moments(two.problem, found, slip.weight);
+  RC_ASSERT(moments.norm() > 0);
+  RC_ASSERT((slip.missed - moments).norm() < 1e-9 * moments.norm());
 }
 
 RC_GTEST_PROP(SolidCoulomb, homogeneous_slip_misses_nothing, (Random random)) {
