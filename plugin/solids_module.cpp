@@ -47,13 +47,6 @@ Solid solid_of(pmesh3 Th) {
   return solid;
 }
 
-template <int d>
-ReadBodies<d> reader(Stack stack, const NamedArguments& named) {
-  return [&named, stack](const Bodies<d>& bodies, SolvedBody<d>& body) {
-    return read_material_and_loads<d>(stack, named, bodies, body);
-  };
-}
-
 class SolidsModule : public Solids {
  public:
   ContactStatement stated(Stack stack, const NamedArguments& named,
@@ -73,8 +66,8 @@ class SolidsModule : public Solids {
 
   double error(Stack stack, const NamedArguments& named, Contact& contact,
                const JudgePlane& judge) const override {
-    const ReadBodies<2> plane = reader<2>(stack, named);
-    const ReadBodies<3> read = reader<3>(stack, named);
+    const ReadBodies<2> plane = reader_of<2>(stack, named);
+    const ReadBodies<3> read = reader_of<3>(stack, named);
     if (!contact.shared)
       return contact_error(stack, named, *contact.solid, read);
     SharedContact& shared = *contact.shared;

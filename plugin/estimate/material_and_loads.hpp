@@ -128,4 +128,12 @@ Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
   return all;
 }
 
+/// The same of a call that stays, for whoever has the bodies.
+template <int d>
+auto reader_of(Stack stack, const NamedArguments& named) {
+  return [stack, &named](const Bodies<d>& bodies, SolvedBody<d>& body) {
+    return read_material_and_loads<d>(stack, named, bodies, body);
+  };
+}
+
 }  // namespace ffcontact::plugin

@@ -110,7 +110,7 @@ class ContactErrorFunction : public E_F0mps {
     };
     return contact.shared || contact.solid
                ? solids().error(stack, named_, contact, judge)
-               : judge(plane_reader(stack));
+               : judge(reader_of<2>(stack, named_));
   }
 
   static int body_count(const Contact& contact) {
@@ -121,12 +121,6 @@ class ContactErrorFunction : public E_F0mps {
 
   void require_own_solution(const char* kind) const {
     if (!matrix_.empty()) refuse("the contact is ", kind);
-  }
-
-  ReadBodies<2> plane_reader(Stack stack) const {
-    return [this, stack](const Bodies<2>& bodies, SolvedBody<2>& body) {
-      return read_material_and_loads<2>(stack, named_, bodies, body);
-    };
   }
 
   double plane_run(Stack stack, ContactOf<2>& contact,
