@@ -47,12 +47,14 @@ Matrix<double, d, Dynamic> own_components(
   return components;
 }
 
+/// @param displaced  against the foundation or the other body [d x p]
 template <int d>
 NodalResults nodal_results(const ContactProblem<d>& problem,
-                           const SolvedContact<d>& solved) {
+                           const SolvedContact<d>& solved,
+                           const Matrix<double, d, Dynamic>& displaced) {
   const Matrix<double, d, Dynamic>& force = solved.solution.force;
   const VectorXd sign = problem.own_signs();
-  const auto moved = own_components<d>(sign, displaced(problem, solved));
+  const auto moved = own_components<d>(sign, displaced);
   NodalResults results(problem.contact.node_count(), d);
   results.pressure() =
       own_components<d>(sign, SolveOf<d>::pressures(problem, solved))
@@ -136,9 +138,10 @@ long solve_here(const SolveCall& call, ContactOf<d>& contact) {
   }
   take_out(problem.mesh, sliding, solved.solution.displacement);
   require_accepted(call, problem, solved, settings);
-  solved.nodes = nodal_results(problem, solved);
+  const auto moved = displaced(problem, solved);
+  solved.nodes = nodal_results(problem, solved, moved);
   put(call, problem, solved);
-  contact.last = last_nodes(problem, solved, settings.tolerance);
+  contact.last = last_nodes(problem, solved, moved, settings.tolerance);
   contact.solved = std::move(solved);
   return contact.solved->solution.iterations;
 }

@@ -51,14 +51,16 @@ Matrix<double, d, Dynamic> displaced(const ContactProblem<d>& problem,
       problem.contact, on_layer<d>(solved.law, pressure), found.displacement);
 }
 
+/// @param moved  displaced()
 template <int d>
 LastNodes last_nodes(const ContactProblem<d>& problem,
-                     const SolvedContact<d>& solved, double tolerance) {
+                     const SolvedContact<d>& solved,
+                     const Matrix<double, d, Dynamic>& moved,
+                     double tolerance) {
   const Matrix<double, d, Dynamic> pressure =
       lumped_pressures(problem.contact, solved.solution.force);
   return {states_for_next(problem, solved, tolerance), placed_nodes(problem),
-          own_vectors<d>(problem, pressure),
-          own_vectors<d>(problem, displaced(problem, solved))};
+          own_vectors<d>(problem, pressure), own_vectors<d>(problem, moved)};
 }
 
 /// The last nodes as a guess at those of a problem.
