@@ -12,7 +12,6 @@
 #include "ffcontact/contact/uniqueness/slip_pattern.hpp"
 #include "ffcontact/equilibrium/stress/facet_density.hpp"
 #include "ffcontact/estimate/error/contact_faces.hpp"
-#include "ffcontact/estimate/error/facing_faces.hpp"
 #include "ffcontact/estimate/tractions/surface_tractions.hpp"
 #include "ffcontact/interface/traction_parts.hpp"
 #include "ffcontact/linear/norms.hpp"
@@ -66,7 +65,7 @@ class PairOnSurface {
     if (!surface.against_a_body())
       faces_ = faces_of_nodes(topology, surface, estimate.face_tractions);
     else
-      put_parts(topology, law, estimate);
+      put_parts(topology, estimate.face_tractions);
     visit([&](int node, const Vector3d& r, double area) {
       friction_.add(node, cones_[node], r, area);
     });
@@ -125,24 +124,23 @@ class PairOnSurface {
     return d;
   }
 
-  /// What each face feels, with r_hat at its nodes: its own where it was relaxed.
-  void put_parts(const Topology<3>& topology, const ContactLaw<3>& law,
-                 const Estimate<3>& estimate) {
-    const auto& [mesh, faces, ridges, stars] = topology;
-    Flags relaxed(surface_.face_count(), 0);
-    for (const auto& of_kind : {contact_faces, facing_faces})
-      for (const ContactFacet<3>& face :
-           of_kind(mesh, faces, surface_, law, estimate.displacement))
-        relaxed[face.index] = 1;
-    for (const TractionPart& part : traction_parts(mesh, faces, surface_)) {
+  /// What each face feels, with r_hat at its nodes.
+  void put_parts(const Topology<3>& topology,
+                 const SurfaceTractions& on_faces) {
+    for (const TractionPart& part :
+         traction_parts(topology.mesh, topology.facets, surface_)) {
       const int m = part.contact_face;
-      if (part.face != surface_.face[m]) continue;
-      if (relaxed[m])
-        parts_.push_back({part, of_face(estimate.face_tractions, m)});
-      else
-        parts_.push_back(
-            {part, nodal_(Eigen::all, face_hats(surface_, m).node)});
+      if (part.face == surface_.face[m])
+        parts_.push_back({part, at_nodes(m, of_face(on_faces, m))});
     }
+  }
+
+  /// Of values at the corners of a face.
+  Matrix3Xd at_nodes(int contact_face, const Matrix3d& corners) const {
+    std::vector<int> nodes;
+    for (int k = 0; k < 3; ++k)
+      if (surface_.face_node(k, contact_face) >= 0) nodes.push_back(k);
+    return corners(Eigen::all, nodes);
   }
 
   Matrix2Xd moments_of_parts() const {
