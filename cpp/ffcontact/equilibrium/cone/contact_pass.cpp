@@ -50,16 +50,24 @@ ContactPass<d>::ContactPass(const FacetSetting<d>& setting,
 /// What the tractions of a star do not leave to the facets that they face, by its corrections.
 template <int d>
 MatrixXd ContactPass<d>::form_of_oscillation(const FacingStar<d>& star) const {
-  const Index unknowns = star.columns.Z.cols();
-  MatrixXd form = MatrixXd::Zero(unknowns, unknowns);
+  struct PartOfStar {
+    int oscillation, part;
+    const MatrixXd& tractions;
+  };
+  std::vector<PartOfStar> parts;
   for (std::size_t i = 0; i < star.contact.size(); ++i)
     for (const auto& [k, part] : oscillation_of_[star.contact[i]])
-      for (std::size_t j = 0; j < star.contact.size(); ++j)
-        for (const auto& other : oscillation_[k].parts)
-          if (other.contact == star.contact[j])
-            form += star.tractions[i].transpose() *
-                    oscillation_[k].form(oscillation_[k].parts[part], other) *
-                    star.tractions[j];
+      parts.push_back({k, part, star.tractions[i]});
+  const Index unknowns = star.columns.Z.cols();
+  MatrixXd form = MatrixXd::Zero(unknowns, unknowns);
+  for (const PartOfStar& row : parts)
+    for (const PartOfStar& column : parts) {
+      if (row.oscillation != column.oscillation) continue;
+      const FacingOscillation<d>& of = oscillation_[row.oscillation];
+      form += row.tractions.transpose() *
+              of.form(of.parts[row.part], of.parts[column.part]) *
+              column.tractions;
+    }
   return form;
 }
 
