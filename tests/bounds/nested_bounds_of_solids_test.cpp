@@ -162,10 +162,7 @@ class RandomBricks {
 
 RC_GTEST_PROP(NestedBoundsOfSolids, of_two_bodies_narrow_and_hold_references,
               (Random random)) {
-  const RandomBricks bricks(random);
-  const QuantityBounds wide = bricks.bounds(1), narrow = bricks.bounds(2);
-  require_that_they_narrow(wide, narrow);
-  require_that_they_hold(wide, narrow.value, bricks.value(4));
+  require_nested_bounds(RandomBricks(random), 1, 2, 4);
 }
 
 }  // namespace

@@ -121,10 +121,7 @@ class RandomBlocks {
 
 RC_GTEST_PROP(NestedBounds, of_two_bodies_narrow_and_hold_references,
               (Random random)) {
-  const RandomBlocks blocks(random);
-  const QuantityBounds wide = blocks.bounds(0), narrow = blocks.bounds(2);
-  require_that_they_narrow(wide, narrow);
-  require_that_they_hold(wide, narrow.value, blocks.value(3));
+  require_nested_bounds(RandomBlocks(random), 0, 2, 3);
 }
 
 }  // namespace

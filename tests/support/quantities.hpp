@@ -61,4 +61,14 @@ inline void require_that_they_hold(const QuantityBounds& bounds, double finer,
   RC_ASSERT(std::min(finest, limit) <= bounds.upper + rounding);
 }
 
+/// All of it, of bodies on nested meshes: their bounds on two and their value on a third one.
+template <class Bodies>
+void require_nested_bounds(const Bodies& bodies, int coarse, int fine,
+                           int finest) {
+  const QuantityBounds wide = bodies.bounds(coarse),
+                       narrow = bodies.bounds(fine);
+  require_that_they_narrow(wide, narrow);
+  require_that_they_hold(wide, narrow.value, bodies.value(finest));
+}
+
 }  // namespace ffcontact::test
