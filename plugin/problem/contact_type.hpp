@@ -33,9 +33,9 @@ struct SolvedContact {
   std::optional<MovedTool> moved{};
   BodyLoadsOfCells<d> holding;  ///< that of HeldSliding, which the system has
   NodalResults nodes;
-  /// what contacterror made of it last, and of what; null before
+  /// what contacterror made of it last; null before
   std::shared_ptr<const Estimate<d>> estimate;
-  std::shared_ptr<const SolvedBody<d>> judged;
+  std::shared_ptr<const SolvedBody<d>> judged;  ///< and of what; of solids
 };
 
 /// What nodes have done and where they were, in vectors along x, y (z) on the body that comes

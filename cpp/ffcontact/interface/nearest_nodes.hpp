@@ -11,8 +11,7 @@ namespace ffcontact {
 struct PlacedNodes {
   MatrixXd place;   ///< [mm, d x p]
   MatrixXd normal;  ///< contact directions [d x p]
-  VectorXd
-      size;  ///< h, the size of what belongs to each node [mm, p]; not read of old nodes
+  VectorXd size;    ///< h, of what belongs to each [mm, p]; old ones need none
 };
 
 /// The old node nearest to each new one, of least |x - y|^2 + h^2 |n - m|^2: where sheets meet
