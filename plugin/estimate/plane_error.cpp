@@ -80,7 +80,7 @@ EstimateSettings<2> ErrorOf<2>::settings(Stack stack,
                     {"polynomial", Construction::polynomial}});
   settings.report =
       progress_lines("contacterror", named.verbosity_level(stack), 2);
-  if (law.bonded && settings.tractions == Tractions::published)
+  if (law.has_bonded() && settings.tractions == Tractions::published)
     refuse(
         "tractions=\"published\" corrects tractions to a friction cone, which "
         "bonded bodies have not: take \"free\" or \"fixed\"");

@@ -106,7 +106,7 @@ class ConeCorrectionFunction : public E_F0mps {
   long run(Stack stack) const {
     const Contact& contact = stated_contact(stack, contact_);
     const ContactProblem<2>& problem = *contact.problem;
-    if (problem.law.bonded)
+    if (problem.law.has_bonded())
       refuse(
           "bonded bodies have no friction cone, so that there is nothing to "
           "correct: take pn and pt as they are");

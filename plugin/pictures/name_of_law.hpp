@@ -6,7 +6,7 @@ namespace ffcontact::plugin {
 /// What pictures call the law of a line or surface.
 template <class Law>
 const char* name_of_law(const Law& law) {
-  if (law.bonded) return "bonded";
+  if (law.slides_nowhere()) return "bonded";
   return law.slip_bound.size() > 0 ? "tresca" : "coulomb";
 }
 

@@ -38,30 +38,55 @@ inline ContactSurface as_one(const std::vector<ContactSurface>& surfaces) {
   return joined_surfaces(surfaces);
 }
 
-inline void append_range(const EdgeRange& more, EdgeRange& range) {
-  append(more.least, range.least);
-  append(more.most, range.most);
-}
+/// Values of each node or edge of two pairs: where only one of them has any, those of the other
+/// one are 0.
+struct AppendedCounts {
+  Index all, more;
+
+  template <class Values>
+  void append_to(Values& values, const Values& others) const {
+    if (values.size() == 0 && others.size() == 0) return;
+    values = filled(values, all);
+    append(filled(others, more), values);
+  }
+  void append_to(EdgeRange& range, const EdgeRange& others) const {
+    append_to(range.least, others.least);
+    append_to(range.most, others.most);
+  }
+
+ private:
+  static VectorXd filled(const VectorXd& values, Index count) {
+    return values.size() > 0 ? values : VectorXd::Zero(count);
+  }
+  static Matrix2Xd filled(const Matrix2Xd& values, Index count) {
+    return values.size() > 0 ? values : Matrix2Xd::Zero(2, count);
+  }
+};
 
 inline void append_of_line(const Carrier<2>& more, Carrier<2>& all) {
+  const AppendedCounts edges{all.edge_abscissa.cols(),
+                             more.edge_abscissa.cols()};
+  edges.append_to(all.law.between_nodes, more.law.between_nodes);
+  edges.append_to(all.law.limit_between_nodes, more.law.limit_between_nodes);
+  edges.append_to(all.kinetic.between_nodes, more.kinetic.between_nodes);
   append(more.abscissa, all.abscissa);
   append(more.edge_abscissa, all.edge_abscissa);
-  append_range(more.law.between_nodes, all.law.between_nodes);
-  append_range(more.law.limit_between_nodes, all.law.limit_between_nodes);
-  append_range(more.kinetic.between_nodes, all.kinetic.between_nodes);
 }
 
 /// But for the line or surface itself.
 template <int d>
 void append_stated(const Carrier<d>& more, Carrier<d>& all) {
-  all.own_vertex.insert(all.own_vertex.end(), more.own_vertex.begin(),
-                        more.own_vertex.end());
+  const AppendedCounts nodes{count_of(all.own_vertex),
+                             count_of(more.own_vertex)};
   using Law = ContactLaw<d>;
   for (VectorXd Law::*nodal :
        {&Law::friction, &Law::slip_bound, &Law::shear_limit, &Law::gap})
-    append(more.law.*nodal, all.law.*nodal);
-  append(more.kinetic.friction, all.kinetic.friction);
-  all.law.bonded = more.law.bonded;
+    nodes.append_to(all.law.*nodal, more.law.*nodal);
+  nodes.append_to(all.kinetic.friction, more.kinetic.friction);
+  for (Index i = 0; i < nodes.more; ++i)
+    all.law.bonded.push_back(more.law.is_bonded(static_cast<int>(i)));
+  all.own_vertex.insert(all.own_vertex.end(), more.own_vertex.begin(),
+                        more.own_vertex.end());
   if constexpr (d == 2) append_of_line(more, all);
 }
 

@@ -143,9 +143,11 @@ void ContactProblem<d>::join_carriers() {
     first_node.push_back(count_of(all.own_vertex));
   }
   all.contact = as_one(std::move(contacts));
+  if (!all.law.has_bonded()) all.law.bonded.clear();
   if (previous_.size() > 0)
-    all.law.previous =
-        contact_components(all.contact, previous_).template bottomRows<d - 1>();
+    all.law.previous = without_bonded<d, Matrix<double, d - 1, Dynamic>>(
+        all.law, contact_components(all.contact, previous_)
+                     .template bottomRows<d - 1>());
   all.law.layer = layer_;
   require_valid(all.law, all.contact);
   if (all.kinetic.given())

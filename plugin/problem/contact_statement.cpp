@@ -6,7 +6,6 @@
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
-#include "ffcontact/interface/bonded_line.hpp"
 #include "ffcontact/interface/curve_directions.hpp"
 #include "ffcontact/interface/line_ends.hpp"
 //
@@ -32,6 +31,17 @@ VectorXd stated_gap(Stack stack, const NamedArguments& named,
   return facing_gap(line);
 }
 
+/// Are some of the pairs bonded, and some not?
+struct Bonding {
+  bool some = false, not_all = true;
+};
+
+Bonding bonding(Stack stack, const NamedArguments& named) {
+  const std::vector<int> bonded = named.integers(stack, "bonded");
+  const auto count = std::count(bonded.begin(), bonded.end(), 0);
+  return {count < count_of(bonded), bonded.empty() || count > 0};
+}
+
 /// @throws std::invalid_argument  if something is given that bonded bodies do not have
 void require_nothing_else(const NamedArguments& named) {
   for (const char* of_law : {"friction", "kineticfriction", "slipbound"})
@@ -39,7 +49,7 @@ void require_nothing_else(const NamedArguments& named) {
       refuse(of_law,
              "= is for bodies that may slide, bonded=true for those that are "
              "glued: give one of both");
-  for (const char* of_contact : {"gap", "normal", "corner", "compliance"})
+  for (const char* of_contact : {"gap", "normal", "corner"})
     if (named.given(of_contact))
       refuse(of_contact,
              "= is not for bonded bodies, which are glued as they are drawn: "
@@ -51,7 +61,12 @@ void require_nothing_else(const NamedArguments& named) {
 
 /// @throws std::invalid_argument  if none of friction=, slipbound= and bonded= is given
 void require_law(Stack stack, const NamedArguments& named) {
-  if (is_bonded(stack, named)) return require_nothing_else(named);
+  const Bonding bonded = bonding(stack, named);
+  if (bonded.some && named.given("compliance"))
+    refuse(
+        "compliance= is not for bonded bodies, which are glued as they are "
+        "drawn: leave it out");
+  if (!bonded.not_all) return require_nothing_else(named);
   if (!named.given("friction") && !named.given("slipbound"))
     refuse(
         "no law is given: friction= (Coulomb's coefficient, 0 for none), "
@@ -71,7 +86,7 @@ NamedArguments::Table statement_table(const basicAC_F0& arguments) {
                              {"kineticfriction", &typeid(double)},
                              {"slipbound", &typeid(double)},
                              {"compliance", &typeid(E_Array)},
-                             {"bonded", &typeid(bool)},
+                             {"bonded", &typeid(KN_<long>)},
                              {"gap", &typeid(double)},
                              {"normal", &typeid(E_Array)},
                              {"corner", &typeid(double)},
@@ -79,10 +94,6 @@ NamedArguments::Table statement_table(const basicAC_F0& arguments) {
                              {"pairs", &typeid(KN_<long>)},
                              {"comm", &typeid(pcommworld)}});
   return table;
-}
-
-bool is_bonded(Stack stack, const NamedArguments& named) {
-  return named.flag(stack, "bonded");
 }
 
 void require_law_of_bodies(Stack stack, const NamedArguments& named,
@@ -141,7 +152,6 @@ ContactLine stated_line(Stack stack, const NamedArguments& named,
                         const BoundaryCurves& curves) {
   const Mesh& mesh = part.mesh;
   const Edges& edges = part.facets;
-  if (is_bonded(stack, named)) return bonded_line(mesh, edges, labels);
   if (!named.given("normal")) return contact_line(mesh, edges, labels, curves);
   const ContactLine line = smooth_contact_line(mesh, edges, labels);
   Matrix2Xd direction(2, line.node_count());
@@ -155,10 +165,6 @@ ContactLine stated_line(Stack stack, const NamedArguments& named,
 void put_law(Stack stack, const NamedArguments& named, const BodyPart<2>& part,
              const ContactLine& line, const StatedPlaces& places,
              Carrier<2>& carrier) {
-  if (is_bonded(stack, named)) {
-    carrier.law = bonded_law<2>(line.node_count());
-    return;
-  }
   ContactLaw<2>& law = carrier.law;
   KineticFriction& kinetic = carrier.kinetic;
   const auto read = [&](const char* name, VectorXd& nodal,

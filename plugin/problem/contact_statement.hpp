@@ -15,11 +15,8 @@ namespace ffcontact::plugin {
 /// The parameters of a statement.
 NamedArguments::Table statement_table(const basicAC_F0& arguments);
 
-/// Are the bodies glued to what they face?
-bool is_bonded(Stack stack, const NamedArguments& named);
-
-/// @throws std::invalid_argument  if no law is stated, or bonded= beside another one; or a
-///                                parameter of a body that there is not
+/// @throws std::invalid_argument  if no law is stated, or another one where all are bonded; or
+///                                a parameter of a body that there is not
 void require_law_of_bodies(Stack stack, const NamedArguments& named,
                            int bodies);
 
@@ -34,8 +31,7 @@ void require_no_corner(const NamedArguments& named);
 /// @throws std::invalid_argument  unless it is from 0 to below 90
 double stated_corner(Stack stack, const NamedArguments& named);
 
-/// The line by its own normals and those of curves, or along the directions of normal=; of
-/// bonded bodies one node a vertex.
+/// The line by its own normals and those of curves, or along the directions of normal=.
 ContactLine stated_line(Stack stack, const NamedArguments& named,
                         const BodyPart<2>& part, const std::vector<int>& labels,
                         const BoundaryCurves& curves);

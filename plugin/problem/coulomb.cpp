@@ -49,6 +49,7 @@ CoulombConstant coulomb_constant_of(const ContactLine& line,
           .row(1));
   const double mu = largest_friction(nodal);
   if (mu == 0) return {0, 0};
+  if (law.has_bonded()) return {infinity, mu};  // not derived
   const Matrix2Xd& between = law.between_nodes.most;
   const double largest =
       between.size() > 0 ? std::max(mu, between.maxCoeff()) : mu;

@@ -35,7 +35,6 @@ struct Statement {
   const PlacesElsewhere<d>* elsewhere;  ///< null where the meshes are here
   double corner;                        ///< of curves [degrees]
 
-  bool bonded = is_bonded(stack, named);
   const SimplexMesh<d>& mesh = bodies.joined.mesh;
   const Facets<d>& facets = bodies.facets;
 

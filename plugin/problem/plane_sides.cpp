@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -38,22 +39,31 @@ void warn_of_touching(const Mesh& mesh, const ContactLine& own) {
     }
 }
 
-/// What is stated of lines, and the curves of their bodies.
+/// What is stated of lines, and the curves of their bodies; those of bonded ones do not count.
 struct LineStatement : Statement<2> {
   BoundaryCurves curves;
+  BoundaryCurves none{};
+
+  const BoundaryCurves& curves_of(const StatedPair& pair) const {
+    return pair.bonded ? none : curves;
+  }
 };
 
-LineStatement line_statement(const Statement<2>& said) {
-  if (said.bonded) return {said, {}};
+LineStatement line_statement(const Statement<2>& said,
+                             const std::vector<StatedPair>& pairs) {
+  if (std::all_of(pairs.begin(), pairs.end(),
+                  [](const StatedPair& pair) { return pair.bonded; }))
+    return {said, {}};
   return {said, BoundaryCurves(said.mesh, said.facets, said.corner)};
 }
 
 /// A curve has one contact direction where it touches what is flatter.
 ContactLine own_line(const LineStatement& said, const StatedPair& pair) {
   const BodyPart<2> body = said.part(pair.body);
+  if (pair.bonded) return bonded_line(body.mesh, body.facets, pair.labels);
   ContactLine line =
       stated_line(said.stack, said.named, body, pair.labels, said.curves);
-  if (said.named.given("normal") || said.bonded || !turns(line)) return line;
+  if (said.named.given("normal") || !turns(line)) return line;
   const Expression gap = said.named.expression("gap");
   const VectorXd distance =
       gap || pair.rigid()
@@ -76,25 +86,29 @@ void require_one_side(const LineStatement& said, const StatedPair& pair,
 }
 
 /// @param stated  the line of the body that comes first
-Carrier<2> carrier(const LineStatement& said, int body,
+Carrier<2> carrier(const LineStatement& said, const StatedPair& pair,
                    const ContactLine& stated, ContactLine line,
                    bool on_opposite) {
   const StatedPlaces places = stated_places(line, on_opposite);
   StatedAbscissae at = stated_abscissae(said.facets, stated, line, places);
   Carrier<2> result;
   for (int vertex : at.vertex)
-    result.own_vertex.push_back(vertex - said.bodies.joined.first_vertex[body]);
+    result.own_vertex.push_back(vertex -
+                                said.bodies.joined.first_vertex[pair.body]);
   result.abscissa = std::move(at.node);
   result.edge_abscissa = std::move(at.edge_end);
-  put_law(said.stack, said.named, said.part(body), line, places, result);
+  if (pair.bonded)
+    result.law = bonded_law<2>(line.node_count());
+  else
+    put_law(said.stack, said.named, said.part(pair.body), line, places, result);
   result.contact = std::move(line);
   return result;
 }
 
 PairSides<2> facing_sides(const LineStatement& said, const StatedPair& pair,
                           const ContactLine& own, int wanted) {
-  const FacingTraces traces =
-      facing_traces(said.mesh, said.facets, own, pair.opposite, said.curves);
+  const FacingTraces traces = facing_traces(
+      said.mesh, said.facets, own, pair.opposite, said.curves_of(pair));
   ContactLine facing = facing_line(said.mesh, said.facets, own, traces);
   std::optional<ContactLine> exchanged;
   if (wanted != 1)
@@ -104,13 +118,12 @@ PairSides<2> facing_sides(const LineStatement& said, const StatedPair& pair,
         "side=2: the other body cannot carry the multipliers, as two parts of "
         "the first one's line face the same part of it; give one contact "
         "direction with normal=[nx, ny], or side=1");
-  if (said.bonded) facing = with_constant_ends(said.mesh, said.facets, facing);
-  if (said.bonded && exchanged)
+  if (pair.bonded) facing = with_constant_ends(said.mesh, said.facets, facing);
+  if (pair.bonded && exchanged)
     exchanged = with_constant_ends(said.mesh, said.facets, *exchanged);
-  PairSides<2> sides{false, wanted,
-                     carrier(said, pair.body, own, facing, false)};
+  PairSides<2> sides{false, wanted, carrier(said, pair, own, facing, false)};
   if (!exchanged) return sides;
-  sides.other = carrier(said, pair.body, own, *exchanged, true);
+  sides.other = carrier(said, pair, own, *exchanged, true);
   sides.compliance_ratio = [&bodies = said.bodies,
                             facing](const ElasticSystem& system) {
     return compliance_ratio(bodies.joined.mesh, bodies.facets, facing, system);
@@ -123,11 +136,11 @@ PairSides<2> sides_of(const LineStatement& said,
   const StatedPair& pair = pairs[k];
   const ContactLine own = own_line(said, pair);
   require_one_side(said, pair, own);
-  if (!said.bonded)
+  if (!pair.bonded)
     report_curves(said.bodies.joined, said.facets, said.curves, said.corner,
                   pair, own,
                   {said.named.given("normal"), said.named.given("gap")});
-  if (pair.rigid()) return {true, 1, carrier(said, pair.body, own, own, false)};
+  if (pair.rigid()) return {true, 1, carrier(said, pair, own, own, false)};
   if (said.bodies.body_count() == 1) warn_of_touching(said.mesh, own);
   return facing_sides(said, pair, own,
                       wanted_side(said.stack, said.named, k, count_of(pairs)));
@@ -137,7 +150,7 @@ PairSides<2> sides_of(const LineStatement& said,
 
 std::vector<PairSides<2>> read_sides(const Statement<2>& said,
                                      const std::vector<StatedPair>& pairs) {
-  const LineStatement of_lines = line_statement(said);
+  const LineStatement of_lines = line_statement(said, pairs);
   std::vector<PairSides<2>> sides;
   for (int k = 0; k < count_of(pairs); ++k)
     sides.push_back(sides_of(of_lines, pairs, k));

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
@@ -20,6 +23,89 @@ namespace {
 /// The other side carries the multipliers of as much of the surface as this at least.
 constexpr double as_much = 0.9;
 
+/// The only vertex that a node follows, or -1.
+int followed_vertex(const ContactSurface& surface, int node) {
+  int followed = -1, count = 0;
+  visit_opposite(surface, node, [&](int vertex, double) {
+    followed = vertex;
+    ++count;
+  });
+  return count == 1 ? followed : -1;
+}
+
+/// Bodies that are bonded, and the vertices on both of them that have a multiplier there, with
+/// what they follow.
+struct GluedVertices {
+  std::set<int> bodies;
+  std::map<int, int> followed{};
+
+  void add(const ContactSurface& surface) {
+    for (int i = 0; i < surface.node_count(); ++i)
+      followed.emplace(surface.vertex[i], followed_vertex(surface, i));
+  }
+  void add_opposite(const ContactSurface& surface) {
+    for (int i = 0; i < surface.node_count(); ++i) {
+      const bool is_one = followed_vertex(surface, i) >= 0;
+      visit_opposite(surface, i, [&](int vertex, double) {
+        followed.emplace(vertex, is_one ? surface.vertex[i] : -1);
+      });
+    }
+  }
+};
+
+/// What is stated of surfaces, and what is glued.
+struct SurfaceStatement : Statement<3> {
+  std::vector<GluedVertices> glued{};
+
+  std::set<int> bodies_of(const StatedPair& pair) const {
+    std::set<int> bodies{pair.body};
+    for (const int label : pair.opposite)
+      bodies.insert(body_of_label(this->bodies.joined, label));
+    return bodies;
+  }
+
+  void add_glued(const StatedPair& pair, const PairSides<3>& sides) {
+    GluedVertices vertices{bodies_of(pair)};
+    vertices.add(sides.own.contact);
+    if (sides.other)
+      vertices.add(sides.other->contact);
+    else
+      vertices.add_opposite(sides.own.contact);
+    glued.push_back(std::move(vertices));
+  }
+
+  /// Flags vertices whose jump another pair of the same bodies holds nearly as the node of this
+  /// one does: their multipliers would balance each other, as large as it takes. Where it is
+  /// the same jump they share its force.
+  /// @return whether there are any
+  bool hold_by_glue(const StatedPair& pair, const ContactSurface& surface,
+                    Flags& held) const {
+    bool any = false;
+    for (const GluedVertices& other : glued) {
+      if (pair.bonded || other.bodies != bodies_of(pair)) continue;
+      for (int i = 0; i < surface.node_count(); ++i) {
+        const auto found = other.followed.find(surface.vertex[i]);
+        if (found == other.followed.end()) continue;
+        const int follows = followed_vertex(surface, i);
+        if (follows >= 0 && follows == found->second) continue;
+        held[surface.vertex[i]] = 1;
+        any = true;
+      }
+    }
+    return any;
+  }
+
+  /// Nodes that are left out change what their neighbours follow.
+  FacingSurface coupled(const StatedPair& pair, const ContactSurface& surface,
+                        const std::vector<FacingPolygon>& polygons) const {
+    Flags held(mesh.vertex_count(), 0);
+    FacingSurface facing = facing_surface(mesh, facets, surface, polygons);
+    while (hold_by_glue(pair, facing.surface, held))
+      facing = facing_surface(mesh, facets, surface, polygons, held);
+    return facing;
+  }
+};
+
 /// By normal=, at places of a body.
 Matrix3Xd directions(const Statement<3>& said, int body,
                      const std::vector<FacePlace>& places) {
@@ -32,9 +118,10 @@ Matrix3Xd directions(const Statement<3>& said, int body,
   return direction;
 }
 
-ContactSurface own_surface(const Statement<3>& said, const StatedPair& pair) {
+ContactSurface own_surface(const SurfaceStatement& said,
+                           const StatedPair& pair) {
   ContactSurface own = contact_surface(said.mesh, said.facets, pair.labels);
-  if (!said.named.given("normal")) return own;
+  if (!said.named.given("normal") || pair.bonded) return own;
   const Matrix3Xd stated = directions(said, pair.body, places_of_nodes(own));
   Matrix3Xd direction = Matrix3Xd::Zero(3, said.mesh.vertex_count());
   for (int i = own.node_count() - 1; i >= 0; --i)
@@ -42,7 +129,7 @@ ContactSurface own_surface(const Statement<3>& said, const StatedPair& pair) {
   return surface_along(said.mesh, said.facets, pair.labels, direction);
 }
 
-void require_one_side(const Statement<3>& said, const StatedPair& pair,
+void require_one_side(const SurfaceStatement& said, const StatedPair& pair,
                       const ContactSurface& own) {
   if (!must_not_face_itself(pair)) return;
   const int touching = touching_face(said.mesh, said.facets, own, pair.labels);
@@ -55,12 +142,13 @@ void require_one_side(const Statement<3>& said, const StatedPair& pair,
 }
 
 /// With the gap between the smooth surfaces of both bodies, where it counts.
-std::vector<FacingPolygon> smooth_polygons(const Statement<3>& said,
+std::vector<FacingPolygon> smooth_polygons(const SurfaceStatement& said,
                                            const ContactSurface& own,
-                                           const std::vector<int>& opposite) {
+                                           const std::vector<int>& opposite,
+                                           bool bonded) {
   std::vector<FacingPolygon> polygons =
       facing_polygons(said.mesh, said.facets, own, opposite);
-  if (said.bonded) return polygons;
+  if (bonded) return polygons;
   smooth_distances(said.mesh, said.facets, own,
                    contact_surface(said.mesh, said.facets, opposite), polygons);
   return polygons;
@@ -68,15 +156,11 @@ std::vector<FacingPolygon> smooth_polygons(const Statement<3>& said,
 
 /// @param places  of the nodes on the body that comes first, or of what they face there
 /// @param gap     between bodies, where gap= is not given
-void put_law(const Statement<3>& said, int body,
+void put_law(const SurfaceStatement& said, int body,
              const std::vector<FacePlace>& places, VectorXd gap,
              Carrier<3>& carrier) {
   const NamedArguments& named = said.named;
   ContactLaw<3>& law = carrier.law;
-  if (said.bonded) {
-    law = bonded_law<3>(count_of(places));
-    return;
-  }
   const auto read = [&](const char* name) {
     return at_places(said.stack, named.expression(name), said.part(body),
                      places, 0);
@@ -90,26 +174,29 @@ void put_law(const Statement<3>& said, int body,
   law.gap = named.given("gap") ? read("gap") : std::move(gap);
 }
 
-Carrier<3> carrier(const Statement<3>& said, int body, FacingSurface facing,
-                   const std::vector<FacePlace>& places) {
+Carrier<3> carrier(const SurfaceStatement& said, const StatedPair& pair,
+                   FacingSurface facing, const std::vector<FacePlace>& places) {
   Carrier<3> result;
-  put_law(said, body, places, std::move(facing.gap), result);
+  if (pair.bonded)
+    result.law = bonded_law<3>(count_of(places));
+  else
+    put_law(said, pair.body, places, std::move(facing.gap), result);
   result.contact = std::move(facing.surface);
   for (const FacePlace& place : places) {
     Index nearest;
     place.coordinates.maxCoeff(&nearest);
     result.own_vertex.push_back(said.facets.vertices(nearest, place.face) -
-                                said.bodies.joined.first_vertex[body]);
+                                said.bodies.joined.first_vertex[pair.body]);
   }
   return result;
 }
 
 /// Contact directions are those of the first body, turned.
-ContactSurface exchanged_surface(const Statement<3>& said,
+ContactSurface exchanged_surface(const SurfaceStatement& said,
                                  const StatedPair& pair) {
   ContactSurface whole = contact_surface(said.mesh, said.facets, pair.opposite);
-  if (!said.named.given("normal")) return whole;
-  const auto polygons = smooth_polygons(said, whole, pair.labels);
+  if (!said.named.given("normal") || pair.bonded) return whole;
+  const auto polygons = smooth_polygons(said, whole, pair.labels, pair.bonded);
   const FacingSurface first =
       facing_surface(said.mesh, said.facets, whole, polygons);
   const Matrix3Xd stated =
@@ -122,18 +209,17 @@ ContactSurface exchanged_surface(const Statement<3>& said,
   return surface_along(said.mesh, said.facets, pair.opposite, direction);
 }
 
-Carrier<3> exchanged(const Statement<3>& said, const StatedPair& pair) {
+Carrier<3> exchanged(const SurfaceStatement& said, const StatedPair& pair) {
   const ContactSurface whole = exchanged_surface(said, pair);
-  const auto polygons = smooth_polygons(said, whole, pair.labels);
-  FacingSurface facing =
-      facing_surface(said.mesh, said.facets, whole, polygons);
+  const auto polygons = smooth_polygons(said, whole, pair.labels, pair.bonded);
+  FacingSurface facing = said.coupled(pair, whole, polygons);
   const std::vector<FacePlace> places =
       places_faced(facing.surface, whole, polygons);
-  return carrier(said, pair.body, std::move(facing), places);
+  return carrier(said, pair, std::move(facing), places);
 }
 
 /// The other side, if it can carry the multipliers and of as much of the surface.
-std::optional<Carrier<3>> as_good(const Statement<3>& said,
+std::optional<Carrier<3>> as_good(const SurfaceStatement& said,
                                   const StatedPair& pair,
                                   const Carrier<3>& own) {
   try {
@@ -158,15 +244,15 @@ int covered_side(const ContactSurface& own,
   return first.covers_all() ? 1 : 2;
 }
 
-PairSides<3> facing_sides(const Statement<3>& said, const StatedPair& pair,
+PairSides<3> facing_sides(const SurfaceStatement& said, const StatedPair& pair,
                           const ContactSurface& own,
                           const std::vector<FacingPolygon>& polygons,
                           int wanted) {
-  FacingSurface facing = facing_surface(said.mesh, said.facets, own, polygons);
+  FacingSurface facing = said.coupled(pair, own, polygons);
   const std::vector<FacePlace> places = places_of_nodes(facing.surface);
-  if (wanted == 0 && said.bonded) wanted = covered_side(own, polygons);
+  if (wanted == 0 && pair.bonded) wanted = covered_side(own, polygons);
   PairSides<3> sides{false, wanted,
-                     carrier(said, pair.body, std::move(facing), places)};
+                     carrier(said, pair, std::move(facing), places)};
   if (wanted == 2) sides.other = exchanged(said, pair);
   if (wanted != 0) return sides;
   sides.other = as_good(said, pair, sides.own);
@@ -178,18 +264,19 @@ PairSides<3> facing_sides(const Statement<3>& said, const StatedPair& pair,
   return sides;
 }
 
-PairSides<3> sides_of(const Statement<3>& said,
+PairSides<3> sides_of(const SurfaceStatement& said,
                       const std::vector<StatedPair>& pairs, int k) {
   const StatedPair& pair = pairs[k];
   const ContactSurface own = own_surface(said, pair);
   require_one_side(said, pair, own);
   std::vector<FacingPolygon> polygons;
-  if (!pair.rigid()) polygons = smooth_polygons(said, own, pair.opposite);
-  if (!said.bonded)
+  if (!pair.rigid())
+    polygons = smooth_polygons(said, own, pair.opposite, pair.bonded);
+  if (!pair.bonded)
     report_surfaces(said.bodies.joined, said.facets, pair,
                     {said.named.given("normal"), said.named.given("gap")});
   if (pair.rigid())
-    return {true, 1, carrier(said, pair.body, {own, {}}, places_of_nodes(own))};
+    return {true, 1, carrier(said, pair, {own, {}}, places_of_nodes(own))};
   return facing_sides(said, pair, own, polygons,
                       wanted_side(said.stack, said.named, k, count_of(pairs)));
 }
@@ -198,9 +285,14 @@ PairSides<3> sides_of(const Statement<3>& said,
 
 std::vector<PairSides<3>> read_sides(const Statement<3>& said,
                                      const std::vector<StatedPair>& pairs) {
-  std::vector<PairSides<3>> sides;
-  for (int k = 0; k < count_of(pairs); ++k)
-    sides.push_back(sides_of(said, pairs, k));
+  SurfaceStatement of_surfaces{said};
+  std::vector<PairSides<3>> sides(pairs.size());
+  for (const bool bonded : {true, false})
+    for (int k = 0; k < count_of(pairs); ++k) {
+      if (pairs[k].bonded != bonded) continue;
+      sides[k] = sides_of(of_surfaces, pairs, k);
+      if (bonded && !sides[k].rigid) of_surfaces.add_glued(pairs[k], sides[k]);
+    }
   return sides;
 }
 

@@ -43,6 +43,23 @@ struct BodyPair {
   int first, second;
 };
 
+/// What a parameter says of a pair: its only value, or that of the pair.
+int value_of_pair(Stack stack, const NamedArguments& named, const char* name,
+                  int pair, int pairs) {
+  const std::vector<int> values = named.integers(stack, name);
+  if (values.size() != 1 && count_of(values) != pairs)
+    refuse(name, " has ", values.size(),
+           " values: give one, or one for each of the ", pairs,
+           " pairs of bodies");
+  return values.size() == 1 ? values[0] : values[pair];
+}
+
+/// By bonded=.
+bool is_bonded(Stack stack, const NamedArguments& named, int pair, int pairs) {
+  return named.given("bonded") &&
+         value_of_pair(stack, named, "bonded", pair, pairs) != 0;
+}
+
 /// By pairs=, or each body and the one after it.
 std::vector<BodyPair> pairs_of_bodies(Stack stack, const NamedArguments& named,
                                       int bodies) {
@@ -85,7 +102,7 @@ std::vector<std::vector<int>> parted_labels(const std::vector<int>& labels,
 /// Those that share the line of the first body are one.
 void add_merged(StatedPair pair, std::vector<StatedPair>& pairs) {
   for (StatedPair& known : pairs)
-    if (known.labels == pair.labels) {
+    if (known.labels == pair.labels && known.bonded == pair.bonded) {
       known.opposite.insert(known.opposite.end(), pair.opposite.begin(),
                             pair.opposite.end());
       return;
@@ -113,10 +130,13 @@ std::vector<StatedPair> paired_labels(Stack stack, const NamedArguments& named,
   }
   std::vector<std::size_t> next(bodies, 0);
   std::vector<StatedPair> pairs;
-  for (const auto& [first, second] : of_bodies)
+  for (int k = 0; k < count_of(of_bodies); ++k) {
+    const auto& [first, second] = of_bodies[k];
     add_merged(
-        {first, labels[first][next[first]++], labels[second][next[second]++]},
+        {first, labels[first][next[first]++], labels[second][next[second]++],
+         is_bonded(stack, named, k, count_of(of_bodies))},
         pairs);
+  }
   return pairs;
 }
 
@@ -125,7 +145,8 @@ template <int dim>
 StatedPair stated_pair(Stack stack, const NamedArguments& named,
                        const JoinedBodies<dim>& joined) {
   StatedPair pair{0, joined_labels(stack, named, "label", joined, 0),
-                  joined_labels(stack, named, "opposite", joined, 0)};
+                  joined_labels(stack, named, "opposite", joined, 0),
+                  is_bonded(stack, named, 0, 1)};
   if (pair.rigid() && named.given("side"))
     refuse(
         "side= is for bodies that face each other, not for a rigid foundation");
@@ -179,12 +200,7 @@ void refuse_both_sides(int label, const std::string& place) {
 
 int wanted_side(Stack stack, const NamedArguments& named, int pair, int pairs) {
   if (!named.given("side")) return 0;
-  const std::vector<int> sides = named.integers(stack, "side");
-  if (sides.size() != 1 && count_of(sides) != pairs)
-    refuse("side has ", sides.size(),
-           " values: give one, or one for each of the ", pairs,
-           " pairs of bodies");
-  const int side = sides.size() == 1 ? sides[0] : sides[pair];
+  const int side = value_of_pair(stack, named, "side", pair, pairs);
   if (side != 1 && side != 2)
     refuse(
         "side must be 1 (the body that comes first carries the multipliers) or "

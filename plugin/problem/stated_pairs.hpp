@@ -16,6 +16,7 @@ namespace ffcontact::plugin {
 struct StatedPair {
   int body;
   std::vector<int> labels, opposite;  ///< the latter none on a rigid foundation
+  bool bonded;                        ///< glued to what they face
 
   bool rigid() const { return opposite.empty(); }
 };

@@ -88,8 +88,9 @@ ContactSettings put_problem(const SolveCall& call, const ContactOf<d>& contact,
   Guess last = guess_at(problem, contact.last);
   ContactLaw<d> law = problem.law;
   if constexpr (d == 2) law.multiplier = multiplier_of(call.stack, call.named);
-  solved.law =
-      law.bonded ? law : law_of_step(call, contact, last.state, std::move(law));
+  solved.law = law.slides_nowhere()
+                   ? law
+                   : law_of_step(call, contact, last.state, std::move(law));
   ContactSettings settings =
       settings_of(call, contact, solved, std::move(last));
   // a system that is at hand has been asked

@@ -52,7 +52,7 @@ ContactLaw<d> law_of_step(const SolveCall& call, const ContactOf<d>& contact,
              has_previous = law.previous.size() > 0;
   if (call.named.flag(call.stack, "loadstep")) {
     if (is_solved)
-      law.previous = slid(where, *contact.solved);
+      law.previous = without_bonded(law, slid(where, *contact.solved));
     else if (!last.empty() && !has_previous)
       refuse_load_step();
   }

@@ -31,7 +31,7 @@ void SolveOf<2>::find(const SolveCall& call, const ContactProblem<2>& problem,
                       SolvedContact<2>& solved) {
   const ContactLine& line = problem.contact;
   const auto tool = stated_tool(call, problem.mesh.origin);
-  if (tool && solved.law.bonded)
+  if (tool && solved.law.has_bonded())
     refuse(
         "push= and moment= move a foundation that bodies lie on: where they "
         "are bonded to it, give the foundation as a body, or its displacement "

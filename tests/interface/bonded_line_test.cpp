@@ -68,7 +68,8 @@ TEST(BondedLine, without_turns_has_the_normals_of_its_edges) {
   const Mesh mesh = arc_body(even_angles(-1, 1, 6), 10);
   const Edges edges = edges_of(mesh);
   const ContactLine line = bonded_line(mesh, edges, {bottom, right});
-  const UnturnedLine unturned = unturned_line(mesh, edges, line);
+  const UnturnedLine unturned =
+      unturned_line(mesh, edges, line, Flags(line.node_count(), 1));
   EXPECT_FALSE(turns(unturned.line));
   EXPECT_EQ(unturned.line.edge, line.edge);
   EXPECT_EQ(unturned.parent.head(line.node_count()),

@@ -29,7 +29,7 @@ void require_near(const SolvedProblem<d>& solved) {
 template <int d>
 void require_covered(const SolvedBody<d>& body, bool for_coulomb) {
   const ContactLaw<d>& law = body.law;
-  if (law.bonded)
+  if (law.has_bonded())
     refuse("there are no bounds of quantities of bonded bodies yet");
   const bool limited = law.shear_limit.size() > 0,
              with_hypothesis = for_coulomb && d == 2 && !limited;

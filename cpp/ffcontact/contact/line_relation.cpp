@@ -22,11 +22,13 @@ bool is_at_rest(const ContactLaw<2>& law, const ElasticSystem& system) {
 
 /// Multipliers in tension by rounding are cut to none by the law: the forces that these
 /// nodes miss then are small, but not beside those of a soft body. They are open, unless
-/// no node has multipliers at all.
-ContactStates open_where_cut(ContactStates state, const VectorXd& P) {
+/// no node has multipliers at all. Bonded nodes never are.
+ContactStates open_where_cut(const NodalLaw& law, ContactStates state,
+                             const VectorXd& P) {
   if (P.isZero(0)) return state;
   for (Index i = 0; i < count_of(state); ++i)
-    if (P.segment<2>(2 * i).isZero(0)) state[i] = ContactState::open;
+    if (P.segment<2>(2 * i).isZero(0) && !law.cone[i].bonded)
+      state[i] = ContactState::open;
   return state;
 }
 
@@ -70,7 +72,7 @@ class OfLine : public ContactRelation {
   /// correction that solve_active_set finds without bounds of its own.
   std::optional<RelationAnswer> refined(const LastAnswer& last) override {
     ActiveSetResult law = last.law;
-    if (!stated_.law.bonded) law.state = open_where_cut(law.state, law.P);
+    law.state = open_where_cut(stated_.cones, law.state, law.P);
     const CondensedContact correction = with_loads(
         contact_, stiffness_,
         on_free_dofs(stated_.system, last.load + stated_.load_of(law.P)),

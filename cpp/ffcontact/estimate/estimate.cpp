@@ -181,6 +181,7 @@ WorstPlaces places_of(const MatchedBodies<d>& bodies, int deepest_node,
   const auto& contact = bodies.contact();
   const VectorXi& of_contact = facets_of(contact);
   return {mesh.place(contact.vertex[deepest_node]),
+          bodies.body().law.is_bonded(deepest_node),
           middle_of(mesh, facets, of_contact[found.turned_facet]),
           middle_of(mesh, facets, of_contact[found.negative_facet])};
 }
@@ -281,16 +282,16 @@ Estimate<d> estimate_of(const SolvedProblem<d>& solved,
   return estimate;
 }
 
-/// The estimate, of what is bonded on a line that does not turn.
+/// The estimate, where what is bonded is on a line that does not turn.
 template <int d>
 Estimate<d> straightened(const SolvedProblem<d>& solved,
                          const StressTerms& terms,
                          const EstimateSettings<d>& settings) {
   const auto& [topology, contact, system, body] = solved;
   if constexpr (d == 2)
-    if (body.law.bonded && turns(contact)) {
-      const UnturnedLine unturned =
-          unturned_line(topology.mesh, topology.facets, contact);
+    if (bonded_part_turns(contact, body.law.bonded)) {
+      const UnturnedLine unturned = unturned_line(
+          topology.mesh, topology.facets, contact, body.law.bonded);
       const SolvedBody<2> on_it = unturned_body(solved, unturned);
       return estimate_of<2>({topology, unturned.line, system, on_it}, terms,
                             settings);

@@ -3,6 +3,7 @@
 
 #include "ffcontact/contact/law/bounded_friction.hpp"
 #include "ffcontact/contact/law/friction_cone.hpp"
+#include "ffcontact/estimate/bodies/contact_subset.hpp"
 #include "ffcontact/estimate/contact_steps.hpp"
 #include "ffcontact/estimate/displacement/admissible_displacement.hpp"
 #include "ffcontact/estimate/displacement/bonded_displacement.hpp"
@@ -23,14 +24,14 @@ Matrix2Xd carried_tractions(const SolvedProblem<2>& solved) {
 template <>
 VectorXd displacement_of_pair(const SolvedProblem<2>& solved,
                               const MatchedBodies<2>& bodies) {
-  const ContactLine& line = bodies.contact();
-  const ContactLaw<2>& law = bodies.body().law;
-  if (law.bonded) return bonded_displacement(bodies);
+  const auto& [line, law, nodes] =
+      sliding_subset<2>(bodies.contact(), bodies.body().law);
+  const Flags held = held_with_bonded<2>(bodies.contact(), bodies.body().law,
+                                         bodies.prescribed());
   const VectorXd clear = sticking_displacement(
       bodies, nodal_pressures(solved),
-      admissible_displacement(line, law, bodies.body().displacement,
-                              bodies.prescribed()));
-  return cleared_between_nodes(line, law, clear, bodies.prescribed());
+      admissible_displacement(line, law, bonded_displacement(bodies), held));
+  return cleared_between_nodes(line, law, clear, held);
 }
 
 template <>
@@ -128,8 +129,6 @@ std::string reason_of(const MatchedBodies<2>& bodies,
                       const WorstPlaces& worst,
                       const EstimateSettings<2>& settings,
                       const Estimate<2>& estimate) {
-  if (bodies.body().law.bonded)
-    return reason_against_bonded(estimate, worst, settings.construction);
   const std::string reason =
       reason_against(estimate, worst, settings.construction,
                      tractions.contact.unmended.size());

@@ -223,7 +223,8 @@ SolidCoulomb solid_coulomb(const Topology<3>& topology,
   const double friction = largest_friction(law);
   if (friction == 0) return {0, 0, 0, e};
   const PairOnSurface pair(topology, surface, body.law, estimate);
-  if (pair.reaches_limit() || turns(surface) || body.law.layer.given())
+  if (pair.reaches_limit() || turns(surface) || body.law.layer.given() ||
+      body.law.has_bonded())
     return {friction, infinity, infinity, infinity};
   const auto constant = directed_constant(
       surface_contact(surface, body.law, system, *body.stiffness),

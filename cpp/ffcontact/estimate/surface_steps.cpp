@@ -4,6 +4,7 @@
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/contact/law/bounded_friction.hpp"
+#include "ffcontact/estimate/bodies/contact_subset.hpp"
 #include "ffcontact/estimate/contact_steps.hpp"
 #include "ffcontact/estimate/displacement/bonded_displacement.hpp"
 #include "ffcontact/estimate/displacement/jump_on_surface.hpp"
@@ -47,8 +48,17 @@ SurfaceTractions tractions_on(const std::vector<ContactFacet<3>>& faces,
 
 /// What bonded bodies jump by between the vertices of the one that follows.
 BondedJump jump_of(const MatchedBodies<3>& bodies, const VectorXd& u_hat) {
-  return bonded_jump(bodies.topology(), bodies.contact(), bodies.body().hooke,
-                     bodies.prescribed(), u_hat);
+  if (!bodies.body().law.has_bonded()) return {};
+  const ContactLaw<3>& all = bodies.body().law;
+  const auto& [surface, law, node] = bonded_subset<3>(bodies.contact(), all);
+  Flags slides(bodies.topology().facets.count(), 0);
+  for_touching_facets(bodies.contact(), [&](int facet, int m) {
+    slides[facet] = !is_bonded<3>(bodies.contact(), all, m);
+  });
+  BondedJump jump = bonded_jump(bodies.topology(), surface, bodies.body().hooke,
+                                bodies.prescribed(), slides, u_hat);
+  jump.left.node = node[jump.left.node];
+  return jump;
 }
 
 /// Does e pay for next to nothing but friction without bound on what the displacements of
@@ -74,13 +84,15 @@ Matrix3Xd carried_tractions(const SolvedProblem<3>& solved) {
 template <>
 VectorXd displacement_of_pair(const SolvedProblem<3>& solved,
                               const MatchedBodies<3>&) {
-  const auto& [topology, surface, system, body] = solved;
-  if (body.law.bonded) return bonded_displacement(solved);
+  const Facets<3>& faces = solved.topology.facets;
+  const ContactLaw<3>& all = solved.body.law;
+  const auto& [surface, law, nodes] = sliding_subset<3>(solved.contact, all);
+  const Flags held =
+      held_with_bonded<3>(solved.contact, all, solved.system.prescribed);
   const VectorXd clear = sticking_displacement(
-      solved, admissible_displacement(topology.facets, surface, body.law,
-                                      body.displacement, system.prescribed));
-  return cleared_between_nodes(topology.facets, surface, body.law, clear,
-                               system.prescribed);
+      solved, admissible_displacement(faces, surface, law,
+                                      bonded_displacement(solved), held));
+  return cleared_between_nodes(faces, surface, law, clear, held);
 }
 
 template <>
@@ -129,7 +141,6 @@ VectorXd contact_part_of(const MatchedBodies<3>& bodies,
                          const Compared<3>& compared,
                          const RelaxedTractions<3>& tractions) {
   const auto& [mesh, faces, ridges, stars] = bodies.topology();
-  if (compared.law.bonded) return VectorXd::Zero(bodies.contact().face_count());
   return contact_error(mesh, faces, bodies.contact(), compared.law,
                        tractions.facets, fields_of(tractions.contact),
                        compared.displacement);
@@ -167,16 +178,20 @@ double cone_violation(const MatchedBodies<3>& bodies,
 template <>
 DeepestNode deepest_node(const MatchedBodies<3>& bodies,
                          const VectorXd& u_hat) {
-  if (bodies.body().law.bonded) return jump_of(bodies, u_hat).left;
-  return deepest_node(bodies.topology().facets, bodies.contact(),
-                      bodies.body().law, u_hat);
+  const auto& [surface, law, node] =
+      sliding_subset<3>(bodies.contact(), bodies.body().law);
+  DeepestNode deepest =
+      deepest_node(bodies.topology().facets, surface, law, u_hat);
+  const DeepestNode left = jump_of(bodies, u_hat).left;
+  if (left.depth >= deepest.depth) return left;
+  deepest.node = node[deepest.node];
+  return deepest;
 }
 
 template <>
 BetweenNodes between_nodes(const MatchedBodies<3>& bodies,
                            const ContactTractions<3>& contact,
                            const VectorXd& u_hat) {
-  if (bodies.body().law.bonded) return {};
   return between_nodes(bodies.topology().facets, bodies.contact(),
                        bodies.body().law, fields_of(contact), u_hat);
 }
@@ -186,7 +201,6 @@ std::string reason_of(const MatchedBodies<3>& bodies,
                       const RelaxedTractions<3>& tractions,
                       const WorstPlaces& worst, const EstimateSettings<3>&,
                       const Estimate<3>& estimate) {
-  if (bodies.body().law.bonded) return reason_against_bonded(estimate, worst);
   const std::string reason = reason_against(estimate, worst);
   if (reason.empty() && bodies.body().law.layer.tangential > 0 &&
       turns(bodies.contact()))
@@ -208,7 +222,7 @@ void put_fields(MatchedBodies<3>& bodies, RelaxedTractions<3> tractions,
   estimate.oscillation =
       traction_oscillation(mesh, faces, bodies.contact(), bodies.body().hooke,
                            fields_of(tractions.contact));
-  if (bodies.body().law.bonded)
+  if (bodies.body().law.has_bonded())
     estimate.oscillation += jump_of(bodies, estimate.displacement).norm;
   estimate.moments = std::move(tractions.moments);
   estimate.tractions = std::move(tractions.contact.densities);

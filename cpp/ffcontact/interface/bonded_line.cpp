@@ -23,14 +23,18 @@ std::map<int, Vector2d> straight_normals(const Mesh& mesh, const Edges& edges,
   return normals;
 }
 
-/// Numbers of nodes of their own for edges that turn.
+bool bonded_and_turns(const ContactLine& line, const Flags& bonded, int e) {
+  return !bonded.empty() && bonded[line.edge_node(0, e)] && turns(line, e);
+}
+
+/// Numbers of nodes of their own for bonded edges that turn.
 class NodesOfEdges {
  public:
-  explicit NodesOfEdges(const ContactLine& line)
+  NodesOfEdges(const ContactLine& line, const Flags& bonded)
       : parent_(line.node_count()), is_taken_(line.node_count(), 0) {
     std::iota(parent_.begin(), parent_.end(), 0);
     for (int e = 0; e < line.edge_count(); ++e)
-      if (!turns(line, e))
+      if (!bonded_and_turns(line, bonded, e))
         for (int node : line.edge_node.col(e)) is_taken_[node] = 1;
   }
 
@@ -50,15 +54,6 @@ class NodesOfEdges {
   std::vector<int> parent_;
   Flags is_taken_;  ///< of the given nodes
 };
-
-WeightsByNode rows_of(const WeightsByNode& weights,
-                      const std::vector<int>& rows) {
-  Triplets entries;
-  for (int k = 0; k < count_of(rows); ++k)
-    for (WeightsByNode::InnerIterator part(weights, rows[k]); part; ++part)
-      entries.emplace_back(k, static_cast<int>(part.col()), part.value());
-  return packed<WeightsByNode>(count_of(rows), weights.cols(), entries);
-}
 
 }  // namespace
 
@@ -81,13 +76,19 @@ ContactLine bonded_line(const Mesh& mesh, const Edges& edges,
   return line;
 }
 
+bool bonded_part_turns(const ContactLine& line, const Flags& bonded) {
+  for (int e = 0; e < line.edge_count(); ++e)
+    if (bonded_and_turns(line, bonded, e)) return true;
+  return false;
+}
+
 UnturnedLine unturned_line(const Mesh& mesh, const Edges& edges,
-                           const ContactLine& line) {
-  NodesOfEdges nodes(line);
+                           const ContactLine& line, const Flags& bonded) {
+  NodesOfEdges nodes(line, bonded);
   UnturnedLine result{line, {}};
   std::map<int, Vector2d> normals;
   for (int e = 0; e < line.edge_count(); ++e) {
-    if (!turns(line, e)) continue;
+    if (!bonded_and_turns(line, bonded, e)) continue;
     for (int& node : result.line.edge_node.col(e)) {
       node = nodes.own(node);
       normals[node] = edge_normal(mesh, edges, line.edge[e]);
@@ -100,8 +101,7 @@ UnturnedLine unturned_line(const Mesh& mesh, const Edges& edges,
   result.line.normal = line.normal(Eigen::all, parents);
   for (const auto& [node, normal] : normals)
     result.line.normal.col(node) = normal;
-  if (line.against_a_body())
-    result.line.opposite = rows_of(line.opposite, parents);
+  result.line.opposite = rows_of(line.opposite, parents);
   return result;
 }
 

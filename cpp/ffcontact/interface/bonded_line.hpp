@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/interface/contact_line.hpp"
 
 /// Lines along which bodies are bonded. Neither u = 0 nor tractions of any direction
@@ -22,10 +23,14 @@ struct UnturnedLine {
   VectorXi parent;  ///< node of the given line for each node [p]
 };
 
-/// The same line with two nodes of their own for each edge along which directions turn,
-/// with the normal of the edge: tractions that are linear on edges jump at corners. New nodes
-/// follow the old ones, so that vertices come in the same order.
+/// The same line with two nodes of their own for each bonded edge along which directions
+/// turn, with the normal of the edge: tractions that are linear on edges jump at corners. New
+/// nodes follow the old ones, so that vertices come in the same order.
+/// @param bonded  1 at the nodes that are
 UnturnedLine unturned_line(const Mesh& mesh, const Edges& edges,
-                           const ContactLine& line);
+                           const ContactLine& line, const Flags& bonded);
+
+/// Do directions turn along an edge that is bonded?
+bool bonded_part_turns(const ContactLine& line, const Flags& bonded);
 
 }  // namespace ffcontact

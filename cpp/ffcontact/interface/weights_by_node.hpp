@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/packed.hpp"
 
 namespace ffcontact {
 
@@ -19,6 +20,17 @@ void visit_opposite(const Nodes& nodes, int node, Visit&& visit) {
   if (!nodes.against_a_body()) return;
   for (WeightsByNode::InnerIterator part(nodes.opposite, node); part; ++part)
     visit(static_cast<int>(part.col()), part.value());
+}
+
+/// Some of the rows, if there are any.
+inline WeightsByNode rows_of(const WeightsByNode& weights,
+                             const std::vector<int>& rows) {
+  if (weights.rows() == 0) return weights;
+  Triplets entries;
+  for (int k = 0; k < count_of(rows); ++k)
+    for (WeightsByNode::InnerIterator part(weights, rows[k]); part; ++part)
+      entries.emplace_back(k, static_cast<int>(part.col()), part.value());
+  return packed<WeightsByNode>(count_of(rows), weights.cols(), entries);
 }
 
 /// The vertices in `opposite`, each once: those of opposite bodies, and own ones that a

@@ -104,6 +104,7 @@ class ProximalPasses {
     return x_[t] == -bound(t) ? 1 : x_[t] == bound(t) ? -1 : 0;
   }
   ContactState state(int node) const {
+    if (law_.cone[node].bonded) return ContactState::stick;
     const bool open = x_[place(2 * node)] == 0;
     if (law_.cone[node].frictionless())
       return open ? ContactState::open : ContactState::slip_forward;
@@ -149,16 +150,17 @@ class ProximalPasses {
 
   /// b of a tangential position in its unit; the law has no other friction.
   double bound(Index k) const {
-    return law_.cone[rows_[k] / 2].cohesion / unit_[k];
+    const FrictionCone& cone = law_.cone[rows_[k] / 2];
+    return cone.bonded ? infinity : cone.cohesion / unit_[k];
   }
 
   void put_bounds() {
     low_.resize(unit_.size());
     high_.resize(unit_.size());
     for (Index k = 0; k < unit_.size(); ++k) {
-      const bool normal = rows_[k] % 2 == 0;
-      low_[k] = normal ? -infinity : -bound(k);
-      high_[k] = normal ? 0 : bound(k);
+      const bool pressed = rows_[k] % 2 == 0 && !law_.cone[rows_[k] / 2].bonded;
+      low_[k] = pressed ? -infinity : -bound(k);
+      high_[k] = pressed ? 0 : bound(k);
     }
     for (Index d = 0; d < dependent_; ++d)
       if (!contact_.loads_the_body(d))
@@ -170,7 +172,7 @@ class ProximalPasses {
   double idle_multiplier(Index d) const {
     const Index k = primary_ + d;
     const double v = contact_.dependent_offset[d];
-    if (rows_[k] % 2 == 0 || v == 0) return 0;
+    if (rows_[k] % 2 == 0 || v == 0 || law_.cone[rows_[k] / 2].bonded) return 0;
     return v > 0 ? -bound(k) : bound(k);
   }
 

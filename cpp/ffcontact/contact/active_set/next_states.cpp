@@ -83,15 +83,16 @@ ContactState next_state(const FrictionCone& cone, ContactState now,
                                   of_slip(rounding, previous));
 }
 
-/// The sticking row that moves a dependent row most, -1 if none does.
-int strongest_stick(const CondensedContact& contact, const States& state,
-                    Index d) {
+/// The sticking row that moves a dependent row most and may slip, -1 if none does.
+int strongest_stick(const CondensedContact& contact, const NodalLaw& law,
+                    const States& state, Index d) {
   int strongest = -1;
   double most = 0;
   for (std::size_t k = 0; k < contact.primary.size(); ++k) {
     const int row = contact.primary[k];
     const double share = std::abs(contact.E(static_cast<Index>(k), d));
-    if (row % 2 == 0 || state[row / 2] != ContactState::stick || share <= most)
+    if (row % 2 == 0 || state[row / 2] != ContactState::stick ||
+        law.cone[row / 2].bonded || share <= most)
       continue;
     strongest = static_cast<int>(k);
     most = share;
@@ -102,16 +103,16 @@ int strongest_stick(const CondensedContact& contact, const States& state,
 /// Two nodes of one vertex that are closed hold it where their lines meet. Where one of
 /// them sticks elsewhere the other one penetrates, and nothing is left to move it: the
 /// first one has to slip.
-void release_sticks(const CondensedContact& contact, const States& state,
-                    const ContactRows& rows, const Rounding& rounding,
-                    States& next) {
+void release_sticks(const CondensedContact& contact, const NodalLaw& law,
+                    const States& state, const ContactRows& rows,
+                    const Rounding& rounding, States& next) {
   for (std::size_t d = 0; d < contact.dependent.size(); ++d) {
     const int row = contact.dependent[d];
     if (row % 2 != 0 || is_open(state[row / 2]) ||
         rows.v[row] <= rounding.motion)
       continue;
     const auto column = static_cast<Index>(d);
-    const int k = strongest_stick(contact, state, column);
+    const int k = strongest_stick(contact, law, state, column);
     if (k >= 0)
       next[contact.primary[k] / 2] =
           closed_state(contact.E(k, column) > 0 ? -1 : 1);
@@ -161,7 +162,7 @@ States next_states(const CondensedContact& contact, const NodalLaw& law,
     next[i] = next_state(law.cone[i], state[i], rows.P.segment<2>(2 * i),
                          rows.v.segment<2>(2 * i),
                          contact.v_prescribed[2 * i + 1], rounding);
-  release_sticks(contact, state, rows, rounding, next);
+  release_sticks(contact, law, state, rows, rounding, next);
   return next;
 }
 

@@ -78,12 +78,12 @@ MatrixXd traces_of(const Nodes& nodes, const MatrixXd& motions) {
   return traces;
 }
 
-/// What forces of any direction do along motions, as bonded nodes have them.
-/// @param traces  [z] of the motions, or weighted [dim p x motions]
-inline MatrixXd forces_either_way(const MatrixXd& traces) {
-  MatrixXd work(traces.cols(), 2 * traces.rows());
-  work << traces.transpose(), -traces.transpose();
-  return work;
+/// Forces, or what they do along motions, and the opposite ones, as bonded nodes have them.
+/// @param forces  one a column
+inline MatrixXd forces_either_way(const Ref<const MatrixXd>& forces) {
+  MatrixXd all(forces.rows(), 2 * forces.cols());
+  all << forces, -forces;
+  return all;
 }
 
 }  // namespace ffcontact

@@ -277,11 +277,22 @@ Vector2d prescribed_jump(const Station& station, const ElasticSystem& system) {
   return jump.cwiseProduct(held);
 }
 
-void require_bonded(const Mesh& mesh, const ContactLine& line,
-                    const ContactLaw<2>& law, const ElasticSystem& system) {
-  const std::vector<Station> all = stations(mesh, line, law);
-  const double rounding = penetration_rounding * largest_given(all, system);
-  for (const Station& station : all) {
+/// Takes the stations out that are bonded.
+std::vector<Station> taken_bonded(const ContactLaw<2>& law,
+                                  std::vector<Station>& all) {
+  const auto slides = [&](const Station& station) {
+    return !law.is_bonded(station.node);
+  };
+  const auto bonded = std::stable_partition(all.begin(), all.end(), slides);
+  std::vector<Station> taken(bonded, all.end());
+  all.erase(bonded, all.end());
+  return taken;
+}
+
+void require_bonded(const Mesh& mesh, const std::vector<Station>& bonded,
+                    const ElasticSystem& system) {
+  const double rounding = penetration_rounding * largest_given(bonded, system);
+  for (const Station& station : bonded) {
     const double apart = prescribed_jump(station, system).norm();
     if (apart > rounding)
       refuse_held_apart(apart, in_words(Vector2d(mesh.origin + station.point)));
@@ -292,9 +303,11 @@ void require_bonded(const Mesh& mesh, const ContactLine& line,
 
 void require_feasible(const Mesh& mesh, const ContactLine& line,
                       const ContactLaw<2>& law, const ElasticSystem& system) {
-  if (law.bonded) return require_bonded(mesh, line, law, system);
-  if (!prescribed_on_both_sides(line, system.prescribed)) return;
-  const std::vector<Station> all = stations(mesh, line, law);
+  const bool on_both_sides = prescribed_on_both_sides(line, system.prescribed);
+  if (!on_both_sides && !law.has_bonded()) return;
+  std::vector<Station> all = stations(mesh, line, law);
+  require_bonded(mesh, taken_bonded(law, all), system);
+  if (all.empty() || !on_both_sides) return;
   Clearance clearance = clearance_of(all, system);
   const VectorXd inside = clearance.c;
   clearance.c.array() -= accepted_penetration(mesh, all, system);

@@ -13,12 +13,16 @@ MatrixXd extreme_forces(const ContactLine& line, const ContactLaw<2>& law,
                         const MatrixXd& motions) {
   const MatrixXd weighted =
       weight_of_rows(law.multiplier, line) * traces_of(line, motions);
-  if (law.bonded) return forces_either_way(weighted);
-  MatrixXd work(motions.cols(), 3 * line.node_count());
+  constexpr int most_forces = 4;
+  MatrixXd work(motions.cols(), most_forces * line.node_count());
   Index next = 0;
   for (int i = 0; i < line.node_count(); ++i) {
     const VectorXd n = weighted.row(2 * i), t = weighted.row(2 * i + 1);
-    if (law.tresca()) {
+    if (law.is_bonded(i)) {
+      work.middleCols<most_forces>(next) =
+          forces_either_way(weighted.middleRows<2>(2 * i).transpose());
+      next += most_forces;
+    } else if (law.tresca()) {
       const double can_hold = law.slip_bound[i] > 0 ? 1 : 0;
       work.col(next++) = -n;
       work.col(next++) = can_hold * t;
@@ -30,7 +34,7 @@ MatrixXd extreme_forces(const ContactLine& line, const ContactLaw<2>& law,
       work.col(next++) = -(mu / size) * t - n / size;
     }
   }
-  return work;
+  return work.leftCols(next);
 }
 
 void require_balance(const Mesh& mesh, const ContactLine& line,

@@ -14,6 +14,7 @@ namespace {
 /// Forces of size 1 that span the cone of a node, from a thousandth outside [3 x k].
 Matrix3Xd spanning_forces(const FrictionCone& cone) {
   constexpr int sides = 64;
+  if (cone.bonded) return forces_either_way(Matrix3d::Identity());
   if (cone.frictionless()) return Vector3d(-1, 0, 0);
   const bool given = !cone.depends_on_contact();
   const double radius = (given ? 1 : cone.friction) / std::cos(M_PI / sides);
@@ -34,7 +35,6 @@ Matrix3Xd spanning_forces(const FrictionCone& cone) {
 MatrixXd extreme_forces(const ContactSurface& surface, const ContactLaw<3>& law,
                         const MatrixXd& motions) {
   const MatrixXd traces = traces_of(surface, motions);
-  if (law.bonded) return forces_either_way(traces);
   const NodalLaw cones = nodal_law(law, surface);
   std::vector<MatrixXd> work;
   Index columns = 0;

@@ -63,11 +63,12 @@ double held_depth(const ContactSurface& surface, const ContactLaw<3>& law,
 void require_together(const SolidMesh& mesh, const ContactSurface& surface,
                       const ContactLaw<3>& law, const ElasticSystem& system,
                       double least) {
-  Index i;
-  const double apart =
-      given_motions(surface, law, system).colwise().norm().maxCoeff(&i);
-  if (apart > least)
-    refuse_held_apart(apart, in_words(mesh.place(surface.vertex[i])));
+  if (!law.has_bonded()) return;
+  const Matrix3Xd given = given_motions(surface, law, system);
+  for (int i = 0; i < surface.node_count(); ++i)
+    if (const double apart = given.col(i).norm();
+        law.is_bonded(i) && apart > least)
+      refuse_held_apart(apart, in_words(mesh.place(surface.vertex[i])));
 }
 
 }  // namespace
@@ -77,8 +78,9 @@ void require_feasible(const SolidMesh& mesh, const ContactSurface& surface,
                       const Flags& held) {
   const double least = penetration_of_rounding *
                        largest_displacement(law, system.prescribed_value);
-  if (law.bonded) return require_together(mesh, surface, law, system, least);
+  require_together(mesh, surface, law, system, least);
   for (int i = 0; i < surface.node_count(); ++i) {
+    if (law.is_bonded(i)) continue;
     const double depth = held[3 * i] ? held_depth(surface, law, system, i) : 0;
     if (depth > least)
       refuse(

@@ -30,7 +30,7 @@ std::vector<FrictionCone> cones_of(const ContactLaw<d>& law,
     else
       cone.friction = law.friction[i];
     if (law.limited()) cone.limit = shear_limit[i];
-    cone.bonded = law.bonded;
+    cone.bonded = law.is_bonded(static_cast<int>(i));
   }
   return cones;
 }

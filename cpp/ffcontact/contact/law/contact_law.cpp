@@ -48,6 +48,8 @@ void require_valid(const ContactLaw<d>& law, const LineOrSurface<d>& where) {
     refuse("a shear limit belongs to Coulomb's law, not to Tresca's");
   require_given("gap", law.gap.transpose(), nodes);
   require_given("previous tangential displacement", law.previous, nodes);
+  if (!law.bonded.empty())
+    require_size("bonded", static_cast<Index>(law.bonded.size()), nodes);
   if constexpr (d == 2) require_of_line(law, where.edge_count());
 }
 

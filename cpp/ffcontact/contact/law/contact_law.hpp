@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+
 #include "ffcontact/base/eigen.hpp"
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/law/compliant_layer.hpp"
 #include "ffcontact/contact/law/contact_state.hpp"
 #include "ffcontact/contact/law/edge_range.hpp"
@@ -30,10 +33,10 @@ struct LawOfLine<2> {
 /// for v = W (u_n - gap, u_t - previous) with the bound b = -mu P_n (Coulomb), b =
 /// min(-mu P_n, k) with k = shear_limit (Coulomb and Orowan), or b = slip_bound (Tresca);
 /// bounds in units of P: of nodal forces M k along lines, k times the area of the node on
-/// surfaces (nodal_law). |.| is Euclid's norm, the cone of solids is a circular one. Where
-/// bodies are bonded
+/// surfaces (nodal_law). |.| is Euclid's norm, the cone of solids is a circular one. At nodes
+/// that are bonded
 ///     v = 0,   P of any size and direction
-/// takes the place of all of this.
+/// takes the place of all of this. Nodes of one facet are bonded together or not at all.
 template <int d>
 struct ContactLaw : LawOfLine<d> {
   using NodalVectors = Matrix<double, d, Dynamic>;
@@ -47,8 +50,9 @@ struct ContactLaw : LawOfLine<d> {
   Matrix<double, d - 1, Dynamic> previous;
   /// largest |lambda_t| of Coulomb's law at each node >= 0 [MPa]; empty for none
   VectorXd shear_limit;
-  /// glued to what it faces: friction is 0 then, and nothing else is given
-  bool bonded = false;
+  /// 1 at nodes that are glued to what they face, where all else that is given is 0 [p];
+  /// empty for none
+  Flags bonded{};
   CompliantLayer layer{};  ///< in the interface; of nodal forces alone
   /// tractions at the nodes that the layer carries, by which gap and previous are moved
   /// (on_layer) [MPa, d x p]; empty: they are not
@@ -56,6 +60,14 @@ struct ContactLaw : LawOfLine<d> {
 
   bool tresca() const { return slip_bound.size() > 0; }
   bool limited() const { return shear_limit.size() > 0; }
+  bool is_bonded(int node) const { return !bonded.empty() && bonded[node]; }
+  bool has_bonded() const {
+    return std::find(bonded.begin(), bonded.end(), 1) != bonded.end();
+  }
+  bool slides_nowhere() const {
+    return has_bonded() &&
+           std::find(bonded.begin(), bonded.end(), 0) == bonded.end();
+  }
 };
 
 /// The law of a line or surface that is bonded to what it faces, as both are drawn: the jump
@@ -64,8 +76,16 @@ template <int d>
 ContactLaw<d> bonded_law(int nodes) {
   ContactLaw<d> law;
   law.friction = VectorXd::Zero(nodes);
-  law.bonded = true;
+  law.bonded.assign(nodes, 1);
   return law;
+}
+
+/// Values at the nodes, 0 at those that are bonded.
+template <int d, class Columns>
+Columns without_bonded(const ContactLaw<d>& law, Columns values) {
+  for (int i = 0; i < values.cols(); ++i)
+    if (law.is_bonded(i)) values.col(i).setZero();
+  return values;
 }
 
 /// A coefficient of 1 wherever there is friction, and nodal forces.

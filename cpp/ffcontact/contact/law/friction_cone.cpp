@@ -37,7 +37,8 @@ ConesAtEnds cones(const ContactLine& line, const ContactLaw<2>& law,
   ConesAtEnds result;
   for (int end = 0; end < 2; ++end)
     (law.tresca() ? result[end].cohesion : result[end].friction) = values[end];
-  for (FrictionCone& cone : result) cone.bonded = law.bonded;
+  for (FrictionCone& cone : result)
+    cone.bonded = law.is_bonded(line.edge_node(0, edge));
   if (law.limited()) put_limits(line, law, bound, edge, result);
   return result;
 }
@@ -207,13 +208,15 @@ Vector4d clamped_to_cone(const ContactLine& line, const ContactLaw<2>& law,
 double cone_defect(const ContactLine& line, const ContactLaw<2>& law,
                    const ContactDensities& densities) {
   const double scale = largest_traction(densities);
-  if (scale == 0 || law.bonded) return 0;
-  double excess = std::max(0.0, densities.normal.maxCoeff());
+  if (scale == 0) return 0;
+  double excess = 0;
   for (int e = 0; e < line.edge_count(); ++e) {
     const ConesAtEnds of_law = cones(line, law, &EdgeRange::least, e);
+    if (of_law[0].bonded) continue;
     const Vector2d normal = densities.normal.col(e),
                    tangential = densities.tangential.col(e);
-    excess = std::max({excess, excess_of_limit(of_law, tangential),
+    excess = std::max({excess, normal.maxCoeff(),
+                       excess_of_limit(of_law, tangential),
                        excess_of_friction(of_law, normal, tangential)});
   }
   return excess / scale;

@@ -58,8 +58,11 @@ bool NodalLaw::is_bonded() const {
 NodalLaw with_given_slip_limit(const NodalLaw& law,
                                const Ref<const VectorXd>& normal) {
   NodalLaw given;
-  for (int i = 0; i < law.node_count(); ++i)
-    given.cone.push_back({law.cone[i].bound(normal[i])});
+  for (int i = 0; i < law.node_count(); ++i) {
+    FrictionCone cone = law.cone[i];
+    if (!cone.bonded) cone = {cone.bound(normal[i])};
+    given.cone.push_back(cone);
+  }
   return given;
 }
 

@@ -99,13 +99,12 @@ class Coarse {
   void put_law(const NodalLaw& law) {
     area_ = weights_.transpose() * surface_.area;
     law_.cone.resize(weights_.cols());
-    const bool bonded = law.is_bonded();
     for (int a = 0; a < weights_.cols(); ++a) {
       FrictionCone& cone = law_.cone[a];
       cone.limit = 0;
-      cone.bonded = bonded;
       for (SparseMatrix::InnerIterator e(weights_, a); e; ++e) {
         const FrictionCone& own = law.cone[e.row()];
+        cone.bonded = cone.bonded || own.bonded;
         const double area = e.value() * surface_.area[e.row()];
         cone.friction += area / area_[a] * own.friction;
         cone.cohesion += e.value() * own.cohesion;

@@ -24,8 +24,9 @@ NodalLaw with_friction(NodalLaw law, double factor) {
 }
 
 bool is_frictionless(const NodalLaw& law) {
-  return std::all_of(law.cone.begin(), law.cone.end(),
-                     [](const FrictionCone& c) { return c.frictionless(); });
+  return std::all_of(
+      law.cone.begin(), law.cone.end(),
+      [](const FrictionCone& c) { return c.frictionless() || c.bonded; });
 }
 
 /// The law with a largest coefficient of 1.
@@ -33,7 +34,8 @@ NodalLaw normalised(NodalLaw law) {
   const double largest = largest_friction(law);
   if (largest > 0) return with_friction(std::move(law), 1 / largest);
   const double coefficient = is_frictionless(law) ? 1 : 0;
-  for (FrictionCone& cone : law.cone) cone.friction = coefficient;
+  for (FrictionCone& cone : law.cone)
+    if (!cone.bonded) cone.friction = coefficient;
   return law;
 }
 

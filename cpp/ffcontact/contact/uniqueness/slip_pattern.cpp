@@ -53,7 +53,8 @@ SlipPattern slip_pattern(const NodalLaw& law,
     const FrictionCone& cone = law.cone[i];
     const double Pn = multiplier(0, i), Pt = multiplier(1, i);
     const bool sticks =
-        -Pn > least_P && std::abs(Pt) < (1 - tolerance) * cone.bound(Pn);
+        cone.bonded ||
+        (-Pn > least_P && std::abs(Pt) < (1 - tolerance) * cone.bound(Pn));
     const double against = sticks ? -sign_above(force(1, i), least_force)
                                   : -sign_above(Pt, least_P);
     pattern.sign[i] = against != 0 ? against : sign_above(slip[i], least_slip);

@@ -2,6 +2,7 @@
 #include "ffcontact/estimate/bodies/refined_body.hpp"
 
 #include "ffcontact/base/flags.hpp"
+#include "ffcontact/base/packed.hpp"
 #include "ffcontact/equilibrium/tractions/refined_moments.hpp"
 
 namespace ffcontact {
@@ -12,6 +13,17 @@ VectorXd refined_values(const CommonRefinement& refinement,
                         const VectorXd& values) {
   return values.size() > 0 ? VectorXd(refinement.node_weights * values)
                            : values;
+}
+
+/// All that a new node lies between have one flag.
+Flags refined_flags(const CommonRefinement& refinement, const Flags& flags) {
+  if (flags.empty()) return flags;
+  Flags refined(refinement.line.node_count(), 0);
+  for (int i = 0; i < count_of(refined); ++i)
+    for (WeightsByNode::InnerIterator part(refinement.node_weights, i); part;
+         ++part)
+      refined[i] = flags[part.col()];
+  return refined;
 }
 
 /// Share of its old contact edge k at an end of contact edge e.
@@ -62,6 +74,7 @@ ContactLaw<2> refined_law(const Edges& old_edges, const ContactLine& old_line,
   law.between_nodes = range(old.between_nodes);
   law.shear_limit = values(old.shear_limit);
   law.limit_between_nodes = range(old.limit_between_nodes);
+  law.bonded = refined_flags(refinement, old.bonded);
   if (old.carried.size() > 0)
     law.carried = old.carried * refinement.node_weights.transpose();
   return law;

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/bodies/unturned_body.hpp"
 
+#include <numeric>
+#include <vector>
+
 #include "ffcontact/contact/law/nodal_pressures.hpp"
+#include "ffcontact/estimate/bodies/contact_subset.hpp"
 
 namespace ffcontact {
 
@@ -19,9 +23,10 @@ SolvedBody<2> unturned_body(const SolvedProblem<2>& solved,
   SolvedBody<2> body = solved.body;
   body.multipliers =
       consistent_pressures(line, solved.system.prescribed, shared);
-  const Multiplier multiplier = body.law.multiplier;
-  body.law = bonded_law<2>(line.node_count());
-  body.law.multiplier = multiplier;
+  std::vector<int> edges(line.edge_count());
+  std::iota(edges.begin(), edges.end(), 0);
+  body.law = law_of<2>(body.law,
+                       {unturned.parent.begin(), unturned.parent.end()}, edges);
   return body;
 }
 

@@ -6,7 +6,7 @@
 
 namespace ffcontact {
 
-/// The solution of bonded bodies on a line without directions that turn: the force on a node
+/// The solution on a line along which no directions of what is bonded turn: the force on a node
 /// is shared among those that take its place by their lengths, so that r_hat may jump at
 /// corners and is linear on edges.
 SolvedBody<2> unturned_body(const SolvedProblem<2>& solved,

@@ -56,7 +56,8 @@ std::string jump_in_words(double jump, const Ref<const VectorXd>& widest) {
            ", where displacements are prescribed: make these the same on both "
            "sides";
   return jumps +
-         ", where the faces of neither body are covered by the other's, or "
+         ", where the faces of neither body are covered by the other's, what "
+         "is bonded ends beside what slides and meshes do not match, or "
          "displacements are prescribed: take eps for an indicator";
 }
 
@@ -102,19 +103,13 @@ std::string reason_against(const PairError& error, const WorstPlaces& worst,
                            Construction construction, std::size_t unmended) {
   if (error.turn > 0) return turn_in_words(error.turn, worst.turned);
   if (error.penetration > penetration_tolerance)
-    return penetration_in_words(error.penetration, worst.deepest);
+    return worst.is_bonded
+               ? jump_in_words(error.penetration, worst.deepest)
+               : penetration_in_words(error.penetration, worst.deepest);
   if (error.cone > cone_tolerance) return cone_in_words(error.cone, unmended);
   if (error.negative > integrand_tolerance)
     return integrand_in_words(error.negative, worst.negative);
   return imbalance_in_words(error.equilibrium, construction);
-}
-
-std::string reason_against_bonded(const PairError& error,
-                                  const WorstPlaces& worst,
-                                  Construction construction) {
-  if (error.penetration > penetration_tolerance)
-    return jump_in_words(error.penetration, worst.deepest);
-  return reason_against(error, worst, construction);
 }
 
 }  // namespace ffcontact

@@ -14,6 +14,7 @@ namespace ffcontact {
 /// Where a pair is the farthest from admissible.
 struct WorstPlaces {
   VectorXd deepest;  ///< where u_hat penetrates most
+  bool is_bonded;    ///< does it jump there in place of penetrating?
   VectorXd turned;   ///< middle of the facet along which directions turn most
   VectorXd
       negative;  ///< middle of that with the least integrand of the contact part
@@ -42,10 +43,5 @@ void put_between_nodes(const BetweenNodes& found, double work,
 std::string reason_against(const PairError& error, const WorstPlaces& worst,
                            Construction construction = Construction::composite,
                            std::size_t unmended = 0);
-
-/// The same of bonded bodies, whose u_hat may not jump in place of penetrating.
-std::string reason_against_bonded(
-    const PairError& error, const WorstPlaces& worst,
-    Construction construction = Construction::composite);
 
 }  // namespace ffcontact

@@ -157,15 +157,6 @@ VectorXd depths_between(const ContactLine& line, const LineMotions& motions,
   return depths;
 }
 
-/// Where bonded bodies are the farthest apart, in any direction.
-DeepestNode widest_jump(const Ref<const Matrix2Xd>& motions) {
-  DeepestNode widest;
-  Index node;
-  widest.depth = motions.colwise().norm().maxCoeff(&node);
-  widest.node = static_cast<int>(node);
-  return widest;
-}
-
 /// Where a quadratic that is not above 0 at its ends is the largest.
 double highest_place(const QuadraticOnEdge& f) {
   const double rise = f.middle - f.first, fall = f.middle - f.second;
@@ -206,16 +197,19 @@ VectorXd cleared_between_nodes(const ContactLine& line,
 
 DeepestNode deepest_node(const ContactLine& line, const ContactLaw<2>& law,
                          const Ref<const VectorXd>& displacement) {
-  if (law.bonded)
-    return widest_jump(
-        displacement_against_foundation(line, law, displacement));
   const LineMotions motions(line, law, displacement);
   DeepestNode deepest;
+  const auto note = [&deepest](double depth, int node) {
+    if (depth > deepest.depth) deepest = {depth, node};
+  };
+  const Matrix2Xd w = displacement_against_foundation(line, law, displacement);
+  for (int i = 0; i < line.node_count(); ++i)
+    if (law.is_bonded(i)) note(w.col(i).norm(), i);
   for (int e = 0; e < line.edge_count(); ++e) {
+    if (law.is_bonded(line.edge_node(0, e))) continue;
     const QuadraticOnEdge wn = motions.on(e).normal;
     for (const double s : {0.0, highest_place(wn), 1.0})
-      if (wn(s) > deepest.depth)
-        deepest = {wn(s), line.edge_node(s > 0.5 ? 1 : 0, e)};
+      note(wn(s), line.edge_node(s > 0.5 ? 1 : 0, e));
   }
   return deepest;
 }

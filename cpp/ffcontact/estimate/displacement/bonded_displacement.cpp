@@ -6,6 +6,7 @@
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/equilibrium/tractions/nodal_residual.hpp"
+#include "ffcontact/estimate/bodies/contact_subset.hpp"
 #include "ffcontact/interface/facing_groups.hpp"
 #include "ffcontact/linear/sparse_lu.hpp"
 
@@ -20,7 +21,9 @@ class Bonding {
       : bodies_(bodies),
         u_(bodies.body().displacement),
         unknown_(VectorXi::Constant(u_.size(), fixed)) {
-    for (const std::vector<int>& group : facing_groups(bodies.contact()))
+    const ContactLine bonded =
+        bonded_subset<2>(bodies.contact(), bodies.body().law).contact;
+    for (const std::vector<int>& group : facing_groups(bonded))
       for (int c = 0; c < 2; ++c) join(group, c);
   }
 
@@ -141,6 +144,7 @@ class Bonding {
 }  // namespace
 
 VectorXd bonded_displacement(const MatchedBodies<2>& bodies) {
+  if (!bodies.body().law.has_bonded()) return bodies.body().displacement;
   Bonding bonding(bodies);
   bonding.relax();
   return bonding.displacement();

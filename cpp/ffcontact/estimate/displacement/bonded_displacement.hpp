@@ -5,7 +5,8 @@
 
 namespace ffcontact {
 
-/// u_hat of bonded bodies: continuous, and 0 on a rigid foundation.
+/// u_hat of bonded bodies: continuous, and 0 on a rigid foundation. Where nothing is bonded it
+/// is u_h.
 ///
 /// u_h is continuous in the mean alone, where traces do not match. On the common refinement
 /// each node and the vertex that it faces take one displacement, that of their group

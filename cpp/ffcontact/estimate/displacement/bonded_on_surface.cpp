@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "ffcontact/elastic/dofs.hpp"
+#include "ffcontact/estimate/bodies/contact_subset.hpp"
 #include "ffcontact/estimate/displacement/bonded_displacement.hpp"
 #include "ffcontact/estimate/displacement/following_faces.hpp"
 #include "ffcontact/linear/norms.hpp"
@@ -45,8 +46,10 @@ double follow_all(const Facets<3>& faces,
 VectorXd bonded_displacement(const SolvedProblem<3>& solved) {
   constexpr int most_in_a_row = 20;  // bodies, each of which follows the next
   constexpr double rounding = 1e-14;
-  const auto& [topology, surface, system, body] = solved;
+  const auto& [topology, contact, system, body] = solved;
   VectorXd u = body.displacement;
+  if (!body.law.has_bonded()) return u;
+  const ContactSurface surface = bonded_subset<3>(contact, body.law).contact;
   const double nothing = rounding * max_norm(u);
   if (!surface.against_a_body())
     for (const int v : surface.vertex)

@@ -76,12 +76,13 @@ class Jump {
  public:
   Jump(const Topology<3>& topology, const ContactSurface& surface,
        const HookeTensors<3>& hooke, const Flags& prescribed,
-       const Ref<const VectorXd>& displacement)
+       const Flags& slides, const Ref<const VectorXd>& displacement)
       : mesh_(topology.mesh),
         faces_(topology.facets),
         surface_(surface),
         hooke_(hooke),
         prescribed_(prescribed),
+        slides_(slides),
         u_(displacement),
         parts_(following_parts(faces_, surface)),
         follows_(faces_.count(), 0) {}
@@ -208,10 +209,12 @@ class Jump {
     if (times != 0) norm_.add(cell, times * times * square(along, cell, a, b));
   }
 
-  /// What supports hold on all of a face beside an edge does not follow.
+  /// What supports hold on all of a face beside an edge does not follow, nor does what slides.
   void leave_on_support(int face, const JumpsAlong& along) {
     if (!faces_.on_boundary(face)) return;
     const auto vertices = faces_.vertices.col(face);
+    if (slides_[face])
+      for (const auto& [place, h] : along) leave(h.norm(), vertices[0]);
     for (int c = 0; c < 3; ++c) {
       bool is_held = true;
       for (const int v : vertices)
@@ -241,6 +244,7 @@ class Jump {
   const ContactSurface& surface_;
   const HookeTensors<3>& hooke_;
   const Flags& prescribed_;
+  const Flags& slides_;
   const VectorXd u_;
   std::vector<FollowingPart> parts_;
   Flags follows_;  ///< of each facet of the mesh
@@ -254,8 +258,10 @@ class Jump {
 BondedJump bonded_jump(const Topology<3>& topology,
                        const ContactSurface& surface,
                        const HookeTensors<3>& hooke, const Flags& prescribed,
+                       const Flags& slides,
                        const Ref<const VectorXd>& displacement) {
-  return Jump(topology, surface, hooke, prescribed, displacement).found();
+  return Jump(topology, surface, hooke, prescribed, slides, displacement)
+      .found();
 }
 
 }  // namespace ffcontact

@@ -21,15 +21,18 @@ namespace ffcontact {
 struct BondedJump {
   double norm = 0;  ///< |w| [(N mm)^(1/2)]
   /// The jump that is left, and a node near: where faces are covered in part alone, or face
-  /// different places along their common edge, supports hold what should follow, or what is
-  /// followed follows another body.
+  /// different places along their common edge, supports hold what should follow, what is
+  /// followed follows another body, or w would go on into a face on which bodies slide.
   DeepestNode left;
 };
 
+/// @param surface       what of it is bonded
+/// @param slides        1 at the facets of the mesh on which bodies slide, on either side
 /// @param displacement  bonded_displacement
 BondedJump bonded_jump(const Topology<3>& topology,
                        const ContactSurface& surface,
                        const HookeTensors<3>& hooke, const Flags& prescribed,
+                       const Flags& slides,
                        const Ref<const VectorXd>& displacement);
 
 }  // namespace ffcontact

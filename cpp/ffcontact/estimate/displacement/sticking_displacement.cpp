@@ -8,6 +8,7 @@
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/contact/law/friction_cone.hpp"
+#include "ffcontact/estimate/bodies/contact_subset.hpp"
 #include "ffcontact/estimate/displacement/rough_contact.hpp"
 #include "ffcontact/linear/norms.hpp"
 
@@ -79,6 +80,7 @@ class Sticking {
   }
 
   double worth_on_edge(int e) const {
+    if (is_bonded<2>(line_, bodies_.body().law, e)) return 0;
     const ConesAtEnds cones = most_cones(line_, bodies_.body().law, e);
     double bound = 0, normal = 0, largest = 0;
     for (int end = 0; end < 2; ++end) {

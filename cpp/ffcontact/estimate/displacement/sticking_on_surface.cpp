@@ -28,7 +28,7 @@ VectorXd worth_on_surface(const ContactSurface& surface,
                           const Matrix3Xd& traction, double stiffness) {
   VectorXd worth = VectorXd::Zero(surface.node_count());
   for (const auto& nodes : surface.face_node.colwise()) {
-    if (nodes.minCoeff() < 0) continue;
+    if (nodes.minCoeff() < 0 || cones[nodes[0]].bonded) continue;
     double bound = 0, normal = 0, largest = 0;
     for (const int i : nodes) {
       bound += cones[i].bound(traction(0, i)) / 3;

@@ -75,6 +75,7 @@ std::vector<ContactFacet<3>> contact_faces(
     const Vector3i nodes = surface.face_node.col(m);
     if (nodes.minCoeff() < 0 || (between_bodies && matches[m].face < 0))
       continue;
+    const bool bonded = law.is_bonded(nodes[0]);
     ContactFacet<3> face;
     face.facet = surface.face[m];
     face.index = m;
@@ -84,10 +85,10 @@ std::vector<ContactFacet<3>> contact_faces(
     for (int i = 0; i < 3; ++i) {
       face.frame[i] = surface.frame(nodes[i]);
       face.cone[i] = cones[nodes[i]];
-      if (!law.bonded) face.paid[i] = paid_cone(surface, m, paid[nodes[i]]);
+      if (!bonded) face.paid[i] = paid_cone(surface, m, paid[nodes[i]]);
     }
     if (normals_differ(surface, m)) bend(face);
-    if (law.bonded)
+    if (bonded)
       put_rest(face);
     else
       put_motion(

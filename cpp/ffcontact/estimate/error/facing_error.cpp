@@ -9,6 +9,7 @@
 #include "ffcontact/contact/law/cones_of_law.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/estimate/bodies/clearing.hpp"
+#include "ffcontact/estimate/bodies/contact_subset.hpp"
 #include "ffcontact/estimate/error/face_fields.hpp"
 #include "ffcontact/estimate/tractions/surface_tractions.hpp"
 #include "ffcontact/interface/traction_parts.hpp"
@@ -172,6 +173,7 @@ VectorXd facing_contact_error(const SolidMesh& mesh, const Facets<3>& faces,
   VectorXd result = VectorXd::Zero(surface.face_count());
   for (const FacingPolygon& polygon : surface.polygons) {
     const int m = polygon.contact_face;
+    if (is_bonded<3>(surface, law, m)) continue;
     const FaceMotion motion =
         motion_on_polygon(faces, surface, law, polygon, displacement);
     const auto [r, bound] =
@@ -240,6 +242,7 @@ BetweenNodes facing_between_nodes(const Facets<3>& faces,
   BetweenNodes found;
   for (const FacingPolygon& polygon : surface.polygons) {
     const int m = polygon.contact_face;
+    if (is_bonded<3>(surface, law, m)) continue;
     note(traction_on_face(surface, cones, m, traction).between(polygon.own),
          motion_on_polygon(faces, surface, law, polygon, displacement),
          surface.normal(Eigen::all, face_hats(surface, m).node), m, found);

@@ -84,7 +84,7 @@ ContactFacet<3> facing_face(const SolidMesh& mesh, const Facets<3>& faces,
     const int node = surface.face_node(i, m);
     face.frame[i] = surface.frame(node);
     face.cone[i] = cones[node];
-    if (!law.bonded) face.paid[i] = paid_cone(surface, m, paid[node]);
+    if (!law.is_bonded(node)) face.paid[i] = paid_cone(surface, m, paid[node]);
   }
   const DensityOfCorners density = density_by_corners(face);
   for (const TractionPart& part : parts) {
@@ -102,8 +102,7 @@ ContactFacet<3> facing_face(const SolidMesh& mesh, const Facets<3>& faces,
 /// Friction without bound costs what no relaxation gains.
 bool may_be_relaxed(const ContactSurface& surface, const ContactLaw<3>& law) {
   return surface.against_a_body() && !law.layer.given() &&
-         (law.bonded || law.friction.size() == 0 ||
-          law.friction.maxCoeff() <= most_friction);
+         (law.friction.size() == 0 || law.friction.maxCoeff() <= most_friction);
 }
 
 }  // namespace
@@ -128,7 +127,7 @@ std::vector<ContactFacet<3>> facing_faces(
     face.work.setZero();
     face.slip.setZero();
     face.direction.setZero();
-    if (!law.bonded)
+    if (!law.is_bonded(surface.face_node(0, m)))
       put_motions(faces, surface, law, of.polygons[m], displacement, least,
                   rounding, face);
     facing.push_back(std::move(face));

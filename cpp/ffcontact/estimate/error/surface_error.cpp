@@ -10,6 +10,7 @@
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/equilibrium/cone/facet_cone.hpp"
 #include "ffcontact/estimate/bodies/clearing.hpp"
+#include "ffcontact/estimate/bodies/contact_subset.hpp"
 #include "ffcontact/estimate/error/facing_error.hpp"
 #include "ffcontact/estimate/tractions/surface_tractions.hpp"
 
@@ -142,6 +143,7 @@ BetweenNodes between_nodes(const Facets<3>& faces,
   const std::vector<FrictionCone> cones = law_cones(law);
   BetweenNodes found;
   for (int m = 0; m < surface.face_count(); ++m) {
+    if (is_bonded<3>(surface, law, m)) continue;
     const FaceMotion motion =
         motion_on_face(faces, surface, law, m, {}, displacement);
     note(traction_on_face(surface, cones, m, tractions), motion, motion.normal,

@@ -123,18 +123,19 @@ class Coupling {
  public:
   Coupling(const SolidMesh& mesh, const Facets<3>& faces,
            const ContactSurface& surface,
-           const std::vector<FacingPolygon>& polygons)
+           const std::vector<FacingPolygon>& polygons, Flags glued)
       : mesh_(mesh),
         faces_(faces),
         surface_(surface),
         area_(VectorXd::Zero(surface.node_count())),
         gap_(VectorXd::Zero(surface.node_count())),
         is_faced_(surface.face_count(), 0),
-        is_opposite_(mesh.vertex_count(), 0),
+        carries_none_(std::move(glued)),
         weights_(surface.node_count()) {
+    carries_none_.resize(mesh.vertex_count(), 0);
     for (const FacingPolygon& polygon : polygons)
       for (int v : faces.vertices.col(polygon.opposite_face))
-        is_opposite_[v] = 1;
+        carries_none_[v] = 1;
   }
 
   void add_face(int m, FaceIntegrals integrals) {
@@ -188,11 +189,11 @@ class Coupling {
   }
 
  private:
-  /// Vertices of both bodies, as at the front of a crack, carry nothing: the jump there is
-  /// 0 by itself.
+  /// Vertices of both bodies, as at the front of a crack, and those that are glued carry
+  /// nothing: the jump there is 0 already.
   void leave_out_shared(int m, FaceIntegrals& integrals) const {
     for (int k = 0; k < 3; ++k)
-      if (is_opposite_[faces_.vertices(k, surface_.face[m])])
+      if (carries_none_[faces_.vertices(k, surface_.face[m])])
         integrals.reach[k] = 0;
   }
 
@@ -254,7 +255,7 @@ class Coupling {
   VectorXd area_, gap_;
   Triplets mass_;
   Flags is_faced_;
-  Flags is_opposite_;  ///< of each vertex
+  Flags carries_none_;  ///< of each vertex
   std::vector<std::map<int, double>> weights_;
 };
 
@@ -262,14 +263,15 @@ class Coupling {
 
 FacingSurface facing_surface(const SolidMesh& mesh, const Facets<3>& faces,
                              const ContactSurface& surface,
-                             const std::vector<FacingPolygon>& polygons) {
+                             const std::vector<FacingPolygon>& polygons,
+                             const Flags& glued) {
   std::map<int, FaceIntegrals> of_face;
   for (const FacingPolygon& polygon : polygons) {
     const int face = surface.face[polygon.contact_face];
     add_polygon(faces, polygon, facet_measure(mesh, faces, face),
                 of_face[polygon.contact_face]);
   }
-  Coupling coupling(mesh, faces, surface, polygons);
+  Coupling coupling(mesh, faces, surface, polygons, glued);
   for (const auto& [m, integrals] : of_face) coupling.add_face(m, integrals);
   return coupling.surface(polygons);
 }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/interface/pairing/facing_polygons.hpp"
 
 namespace ffcontact {
@@ -30,8 +31,10 @@ struct FacingSurface {
 /// which the others are all but dependent there, and vertices of both bodies, as at the
 /// front of a crack, where the jump is 0 by itself. Nodes that carry none are left out,
 /// faces that face less than 1e-6 of their area too.
+/// @param glued  1 at vertices of which another multiplier holds the jump; none: nowhere
 FacingSurface facing_surface(const SolidMesh& mesh, const Facets<3>& faces,
                              const ContactSurface& surface,
-                             const std::vector<FacingPolygon>& polygons);
+                             const std::vector<FacingPolygon>& polygons,
+                             const Flags& glued = {});
 
 }  // namespace ffcontact
