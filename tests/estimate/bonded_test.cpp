@@ -164,6 +164,39 @@ TEST(BondedEstimate, falls_with_the_size_on_curves) {
   }
 }
 
+/// Three blocks at random of which one is glued to the one between, which slides on the other.
+/// The bonded edges pay nothing, and u_hat is continuous there and clear on the others.
+RC_GTEST_PROP(BondedEstimate, is_admissible_beside_what_slides,
+              (Random random)) {
+  const auto cells = [&] { return *rc::gen::inRange(2, 10); };
+  const int bonded = *rc::gen::inRange(0, 2);
+  Bodies three = partly_bonded_bodies(
+      {shifted(with_random_rows(cells(), 2, 6, 2, random), {0, 5}),
+       shifted(with_random_rows(cells(), 3, 6, 3, random), {0, 2}),
+       with_random_rows(cells(), 2, 6, 2, random)},
+      {stiff, soft, stiff}, {{0, bottom, 1, top}, {1, bottom, 2, top}}, bonded,
+      *rc::gen::element(0.0, 0.3, 1.0));
+  three.problem.law.multiplier =
+      *rc::gen::element(Multiplier::force, Multiplier::pressure);
+  clamp(three.problem, three.label(2, bottom));
+  prescribe_dof(three.problem, 0, 0);
+  prescribe_dof(three.problem, 2 * three.joined.first_vertex[1], 0);
+  add_traction(three.problem, three.label(0, top), {1, -7});
+  add_traction(three.problem, three.label(1, right), {*real(-5, 5), 3});
+  const ContactSolution<2> solution = solved(three.problem);
+  RC_ASSERT(solution.status == ContactStatus::converged);
+  const Estimate<2> estimate = estimated(three.problem, solution, sweeps(1));
+  RC_ASSERT(estimate.admissible || !is_exact(estimate));
+  const ContactLaw<2>& law = three.problem.law;
+  for (int e = 0; e < three.problem.line.edge_count(); ++e)
+    if (law.is_bonded(three.problem.line.edge_node(0, e)))
+      RC_ASSERT(solution.state[three.problem.line.edge_node(0, e)] ==
+                ContactState::stick);
+  RC_ASSERT(estimate.penetration <= 1e-12 || !is_exact(estimate));
+  RC_ASSERT(estimate.cone <= 1e-12);
+  RC_ASSERT(estimate.contact >= 0);
+}
+
 TEST(BondedEstimate, says_where_supports_tear_the_bodies_apart) {
   Bodies two = bonded_blocks(5, 7, stiff, soft);
   prescribe_around(two);

@@ -9,26 +9,56 @@
 /// Bodies that are glued to each other.
 namespace ffcontact::test {
 
+/// The line of a pair that is bonded.
+inline ContactLine bonded_pair(const Bodies& bodies, const Pair& pair) {
+  const Problem& problem = bodies.problem;
+  const ContactLine line =
+      bonded_line(problem.mesh, problem.edges,
+                  {bodies.label(pair.first, pair.first_label)});
+  return with_constant_ends(
+      problem.mesh, problem.edges,
+      facing_line(
+          problem.mesh, problem.edges, line,
+          facing_traces(problem.mesh, problem.edges, line,
+                        {bodies.label(pair.second, pair.second_label)})));
+}
+
 /// Bodies without loads and supports, bonded along the lines of some pairs.
 inline Bodies bonded_bodies(const std::vector<Mesh>& meshes,
                             const std::vector<Material>& materials,
                             const std::vector<Pair>& pairs) {
   Bodies result = bodies(meshes, materials, pairs);
-  Problem& problem = result.problem;
   std::vector<ContactLine> lines;
-  for (const Pair& pair : pairs) {
+  for (const Pair& pair : pairs) lines.push_back(bonded_pair(result, pair));
+  result.problem.line = joined_lines(lines);
+  result.problem.law = bonded_law<2>(result.problem.line.node_count());
+  return result;
+}
+
+/// The same, of which one pair is bonded, and the others slide with a coefficient.
+inline Bodies partly_bonded_bodies(const std::vector<Mesh>& meshes,
+                                   const std::vector<Material>& materials,
+                                   const std::vector<Pair>& pairs, int bonded,
+                                   double friction) {
+  Bodies result = bodies(meshes, materials, pairs);
+  const Problem& problem = result.problem;
+  std::vector<ContactLine> lines;
+  Flags is_bonded;
+  for (int k = 0; k < count_of(pairs); ++k) {
     const ContactLine line =
-        bonded_line(problem.mesh, problem.edges,
-                    {result.label(pair.first, pair.first_label)});
-    lines.push_back(with_constant_ends(
-        problem.mesh, problem.edges,
-        facing_line(
-            problem.mesh, problem.edges, line,
-            facing_traces(problem.mesh, problem.edges, line,
-                          {result.label(pair.second, pair.second_label)}))));
+        contact_line(problem.mesh, problem.edges,
+                     {result.label(pairs[k].first, pairs[k].first_label)});
+    lines.push_back(k == bonded ? bonded_pair(result, pairs[k])
+                                : facing_line(problem.mesh, problem.edges, line,
+                                              result.traces[k]));
+    is_bonded.resize(is_bonded.size() + lines.back().node_count(), k == bonded);
   }
-  problem.line = joined_lines(lines);
-  problem.law = bonded_law<2>(problem.line.node_count());
+  ContactLaw<2> law;
+  law.friction = without(
+      is_bonded, VectorXd(VectorXd::Constant(count_of(is_bonded), friction)));
+  law.bonded = is_bonded;
+  result.problem.line = joined_lines(lines);
+  result.problem.law = law;
   return result;
 }
 

@@ -56,7 +56,7 @@ BondedJump jump_of(const MatchedBodies<3>& bodies, const VectorXd& u_hat) {
     slides[facet] = !is_bonded<3>(bodies.contact(), all, m);
   });
   BondedJump jump = bonded_jump(bodies.topology(), surface, bodies.body().hooke,
-                                bodies.prescribed(), slides, u_hat);
+                                bodies.prescribed(), u_hat, slides);
   jump.left.node = node[jump.left.node];
   return jump;
 }

@@ -367,6 +367,30 @@ TEST(FacingSurface, of_a_crack_has_no_nodes_at_its_front) {
   }
 }
 
+/// Vertices that another multiplier holds have none, and their hats go to the others: forces
+/// are the same, and the jump of linear fields is exact.
+TEST(FacingSurface, has_no_nodes_where_it_is_glued) {
+  SolidMesh below = brick({3, 5, 1}, {4, 3, 1});
+  below.vertices.row(2).array() -= 1;
+  const Pair pair(brick({4, 3, 1}, {4, 3, 1}), below);
+  const SolidMesh& mesh = pair.joined.mesh;
+  Flags glued(mesh.vertex_count(), 0);
+  int count = 0;
+  for (const int v : pair.surface().vertex)
+    if (mesh.vertices(0, v) < 0.1) glued[v] = ++count > 0;
+  const ContactSurface part =
+      facing_surface(mesh, pair.faces, pair.whole, pair.polygons, glued)
+          .surface;
+  ASSERT_EQ(count, 4);
+  EXPECT_EQ(part.node_count(), pair.surface().node_count() - count);
+  EXPECT_NEAR(part.area.sum(), 12, 1e-12);
+  for (const int v : part.vertex) EXPECT_EQ(glued[v], 0);
+  VectorXd field(3 * mesh.vertex_count());
+  for (int v = 0; v < mesh.vertex_count(); ++v)
+    field.segment<3>(3 * v) = Vector3d(1, 2, 3) + 2 * mesh.vertices.col(v);
+  EXPECT_LT(contact_components(part, field).norm(), 1e-12);
+}
+
 TEST(FacingSurface, tells_which_face_touches_its_own_surface) {
   const auto touching = [](const SolidMesh& mesh,
                            const std::vector<int>& labels) {

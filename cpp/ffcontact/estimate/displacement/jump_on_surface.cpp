@@ -76,16 +76,18 @@ class Jump {
  public:
   Jump(const Topology<3>& topology, const ContactSurface& surface,
        const HookeTensors<3>& hooke, const Flags& prescribed,
-       const Flags& slides, const Ref<const VectorXd>& displacement)
+       const Ref<const VectorXd>& displacement, Flags slides)
       : mesh_(topology.mesh),
         faces_(topology.facets),
         surface_(surface),
         hooke_(hooke),
         prescribed_(prescribed),
-        slides_(slides),
+        slides_(std::move(slides)),
         u_(displacement),
         parts_(following_parts(faces_, surface)),
-        follows_(faces_.count(), 0) {}
+        follows_(faces_.count(), 0) {
+    slides_.resize(faces_.count(), 0);
+  }
 
   BondedJump found() && {
     if (!surface_.against_a_body()) leave_at_nodes();
@@ -244,7 +246,7 @@ class Jump {
   const ContactSurface& surface_;
   const HookeTensors<3>& hooke_;
   const Flags& prescribed_;
-  const Flags& slides_;
+  Flags slides_;  ///< of each facet of the mesh
   const VectorXd u_;
   std::vector<FollowingPart> parts_;
   Flags follows_;  ///< of each facet of the mesh
@@ -258,9 +260,9 @@ class Jump {
 BondedJump bonded_jump(const Topology<3>& topology,
                        const ContactSurface& surface,
                        const HookeTensors<3>& hooke, const Flags& prescribed,
-                       const Flags& slides,
-                       const Ref<const VectorXd>& displacement) {
-  return Jump(topology, surface, hooke, prescribed, slides, displacement)
+                       const Ref<const VectorXd>& displacement,
+                       const Flags& slides) {
+  return Jump(topology, surface, hooke, prescribed, displacement, slides)
       .found();
 }
 

@@ -27,12 +27,13 @@ struct BondedJump {
 };
 
 /// @param surface       what of it is bonded
-/// @param slides        1 at the facets of the mesh on which bodies slide, on either side
 /// @param displacement  bonded_displacement
+/// @param slides        1 at the facets of the mesh on which bodies slide, on either side; none:
+///                      nowhere
 BondedJump bonded_jump(const Topology<3>& topology,
                        const ContactSurface& surface,
                        const HookeTensors<3>& hooke, const Flags& prescribed,
-                       const Flags& slides,
-                       const Ref<const VectorXd>& displacement);
+                       const Ref<const VectorXd>& displacement,
+                       const Flags& slides = {});
 
 }  // namespace ffcontact
