@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <set>
 #include <type_traits>
 
 #include "ffcontact/base/packed.hpp"
@@ -56,8 +58,9 @@ struct ContactProblem : Bodies<d>, Carrier<d> {
   ContactProblem(const ContactProblem&) = delete;
   ContactProblem& operator=(const ContactProblem&) = delete;
 
-  /// Moves the multipliers of each pair whose side is not stated to the side that is to
-  /// carry them.
+  /// Moves the multipliers of pairs whose side is not stated to the side that is to carry them,
+  /// one for all pairs of the same bodies: where their lines meet nodes of both sides would
+  /// stand for one jump.
   void choose_sides(const ElasticSystem& system);
 
   /// The joined mesh with its facets and stars: of plane bodies made once; that of solids,
@@ -88,7 +91,11 @@ struct ContactProblem : Bodies<d>, Carrier<d> {
   }
   void join_carriers();
 
+  /// The side that pairs of the same bodies want: a stated one, or that which yields more.
+  int side_of(const std::set<int>& bodies, const ElasticSystem& system) const;
+
   std::vector<PairSides<d>> pairs_;
+  std::vector<std::set<int>> bodies_of_pair_;
   CompliantLayer layer_;
   VectorXd previous_;  ///< displacement of the load step before; empty for none
   mutable std::optional<Topology<2>> topology_;  ///< made when an estimate asks
@@ -101,7 +108,10 @@ void ContactProblem<d>::state(Stack stack, const NamedArguments& named,
   const double corner = stated_corner(stack, named);
   layer_ = stated_layer(stack, named);
   const auto stated = stated_pairs(stack, named, this->joined);
-  for (const StatedPair& pair : stated) body_of_pair.push_back(pair.body);
+  for (const StatedPair& pair : stated) {
+    body_of_pair.push_back(pair.body);
+    bodies_of_pair_.push_back(bodies_of(pair, this->joined));
+  }
   pairs_ =
       read_sides(Statement<d>{stack, named, *this, elsewhere, corner}, stated);
   for (const PairSides<d>& pair : pairs_)
@@ -110,13 +120,25 @@ void ContactProblem<d>::state(Stack stack, const NamedArguments& named,
 }
 
 template <int d>
-void ContactProblem<d>::choose_sides(const ElasticSystem& system) {
+int ContactProblem<d>::side_of(const std::set<int>& bodies,
+                               const ElasticSystem& system) const {
+  double sum = 0;
+  int count = 0;
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    const PairSides<d>& pair = pairs_[k];
-    if (pair.wanted != 0 || !pair.other) continue;
-    const double ratio = pair.compliance_ratio(system);
-    side[k] = ratio > much_softer ? 2 : 1;
+    if (bodies_of_pair_[k] != bodies || pairs_[k].rigid) continue;
+    if (pairs_[k].wanted != 0) return pairs_[k].wanted;
+    if (!pairs_[k].other) return 1;
+    sum += std::log(pairs_[k].compliance_ratio(system));
+    ++count;
   }
+  return sum > count * std::log(much_softer) ? 2 : 1;
+}
+
+template <int d>
+void ContactProblem<d>::choose_sides(const ElasticSystem& system) {
+  for (std::size_t k = 0; k < pairs_.size(); ++k)
+    if (pairs_[k].wanted == 0 && pairs_[k].other)
+      side[k] = side_of(bodies_of_pair_[k], system);
   join_carriers();
 }
 

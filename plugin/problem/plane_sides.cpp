@@ -11,6 +11,7 @@
 #include "ffcontact/interface/curve_directions.hpp"
 #include "ffcontact/interface/pairing/constant_ends.hpp"
 #include "ffcontact/interface/pairing/facing_line.hpp"
+#include "problem/glued_vertices.hpp"
 #include "problem/pair_sides.hpp"
 //
 #include "freefem/plane_values.hpp"
@@ -39,22 +40,33 @@ void warn_of_touching(const Mesh& mesh, const ContactLine& own) {
     }
 }
 
-/// What is stated of lines, and the curves of their bodies; those of bonded ones do not count.
+/// What is stated of lines, the curves of their bodies, those of bonded ones do not count, and
+/// what is glued.
 struct LineStatement : Statement<2> {
   BoundaryCurves curves;
+  GluedVertices<2> glued;
   BoundaryCurves none{};
 
   const BoundaryCurves& curves_of(const StatedPair& pair) const {
     return pair.bonded ? none : curves;
   }
+
+  /// The line without multipliers that have nothing to do.
+  ContactLine steered(const StatedPair& pair, const ContactLine& line) const {
+    if (pair.bonded) return with_constant_ends(mesh, facets, line);
+    Flags held(mesh.vertex_count(), 0);
+    return glued.hold(pair, line, held) ? without_ends(mesh, facets, line, held)
+                                        : line;
+  }
 };
 
 LineStatement line_statement(const Statement<2>& said,
                              const std::vector<StatedPair>& pairs) {
+  const GluedVertices<2> glued(said.bodies.joined);
   if (std::all_of(pairs.begin(), pairs.end(),
                   [](const StatedPair& pair) { return pair.bonded; }))
-    return {said, {}};
-  return {said, BoundaryCurves(said.mesh, said.facets, said.corner)};
+    return {said, {}, glued};
+  return {said, BoundaryCurves(said.mesh, said.facets, said.corner), glued};
 }
 
 /// A curve has one contact direction where it touches what is flatter.
@@ -118,9 +130,8 @@ PairSides<2> facing_sides(const LineStatement& said, const StatedPair& pair,
         "side=2: the other body cannot carry the multipliers, as two parts of "
         "the first one's line face the same part of it; give one contact "
         "direction with normal=[nx, ny], or side=1");
-  if (pair.bonded) facing = with_constant_ends(said.mesh, said.facets, facing);
-  if (pair.bonded && exchanged)
-    exchanged = with_constant_ends(said.mesh, said.facets, *exchanged);
+  facing = said.steered(pair, facing);
+  if (exchanged) exchanged = said.steered(pair, *exchanged);
   PairSides<2> sides{false, wanted, carrier(said, pair, own, facing, false)};
   if (!exchanged) return sides;
   sides.other = carrier(said, pair, own, *exchanged, true);
@@ -150,11 +161,9 @@ PairSides<2> sides_of(const LineStatement& said,
 
 std::vector<PairSides<2>> read_sides(const Statement<2>& said,
                                      const std::vector<StatedPair>& pairs) {
-  const LineStatement of_lines = line_statement(said, pairs);
-  std::vector<PairSides<2>> sides;
-  for (int k = 0; k < count_of(pairs); ++k)
-    sides.push_back(sides_of(of_lines, pairs, k));
-  return sides;
+  LineStatement of_lines = line_statement(said, pairs);
+  return bonded_first<2>(pairs, of_lines.glued,
+                         [&](int k) { return sides_of(of_lines, pairs, k); });
 }
 
 }  // namespace ffcontact::plugin

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <map>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -13,6 +11,7 @@
 #include "ffcontact/interface/pairing/smooth_surface_distances.hpp"
 //
 #include "freefem/solid_values.hpp"
+#include "problem/glued_vertices.hpp"
 #include "problem/pair_sides.hpp"
 #include "problem/solid_report.hpp"
 
@@ -23,84 +22,16 @@ namespace {
 /// The other side carries the multipliers of as much of the surface as this at least.
 constexpr double as_much = 0.9;
 
-/// The only vertex that a node follows, or -1.
-int followed_vertex(const ContactSurface& surface, int node) {
-  int followed = -1, count = 0;
-  visit_opposite(surface, node, [&](int vertex, double) {
-    followed = vertex;
-    ++count;
-  });
-  return count == 1 ? followed : -1;
-}
-
-/// Bodies that are bonded, and the vertices on both of them that have a multiplier there, with
-/// what they follow.
-struct GluedVertices {
-  std::set<int> bodies;
-  std::map<int, int> followed{};
-
-  void add(const ContactSurface& surface) {
-    for (int i = 0; i < surface.node_count(); ++i)
-      followed.emplace(surface.vertex[i], followed_vertex(surface, i));
-  }
-  void add_opposite(const ContactSurface& surface) {
-    for (int i = 0; i < surface.node_count(); ++i) {
-      const bool is_one = followed_vertex(surface, i) >= 0;
-      visit_opposite(surface, i, [&](int vertex, double) {
-        followed.emplace(vertex, is_one ? surface.vertex[i] : -1);
-      });
-    }
-  }
-};
-
 /// What is stated of surfaces, and what is glued.
 struct SurfaceStatement : Statement<3> {
-  std::vector<GluedVertices> glued{};
+  GluedVertices<3> glued;
 
-  std::set<int> bodies_of(const StatedPair& pair) const {
-    std::set<int> bodies{pair.body};
-    for (const int label : pair.opposite)
-      bodies.insert(body_of_label(this->bodies.joined, label));
-    return bodies;
-  }
-
-  void add_glued(const StatedPair& pair, const PairSides<3>& sides) {
-    GluedVertices vertices{bodies_of(pair)};
-    vertices.add(sides.own.contact);
-    if (sides.other)
-      vertices.add(sides.other->contact);
-    else
-      vertices.add_opposite(sides.own.contact);
-    glued.push_back(std::move(vertices));
-  }
-
-  /// Flags vertices whose jump another pair of the same bodies holds nearly as the node of this
-  /// one does: their multipliers would balance each other, as large as it takes. Where it is
-  /// the same jump they share its force.
-  /// @return whether there are any
-  bool hold_by_glue(const StatedPair& pair, const ContactSurface& surface,
-                    Flags& held) const {
-    bool any = false;
-    for (const GluedVertices& other : glued) {
-      if (pair.bonded || other.bodies != bodies_of(pair)) continue;
-      for (int i = 0; i < surface.node_count(); ++i) {
-        const auto found = other.followed.find(surface.vertex[i]);
-        if (found == other.followed.end()) continue;
-        const int follows = followed_vertex(surface, i);
-        if (follows >= 0 && follows == found->second) continue;
-        held[surface.vertex[i]] = 1;
-        any = true;
-      }
-    }
-    return any;
-  }
-
-  /// Nodes that are left out change what their neighbours follow.
+  /// Nodes that are left out beside what is glued change what their neighbours follow.
   FacingSurface coupled(const StatedPair& pair, const ContactSurface& surface,
                         const std::vector<FacingPolygon>& polygons) const {
     Flags held(mesh.vertex_count(), 0);
     FacingSurface facing = facing_surface(mesh, facets, surface, polygons);
-    while (hold_by_glue(pair, facing.surface, held))
+    while (glued.hold(pair, facing.surface, held))
       facing = facing_surface(mesh, facets, surface, polygons, held);
     return facing;
   }
@@ -285,15 +216,10 @@ PairSides<3> sides_of(const SurfaceStatement& said,
 
 std::vector<PairSides<3>> read_sides(const Statement<3>& said,
                                      const std::vector<StatedPair>& pairs) {
-  SurfaceStatement of_surfaces{said};
-  std::vector<PairSides<3>> sides(pairs.size());
-  for (const bool bonded : {true, false})
-    for (int k = 0; k < count_of(pairs); ++k) {
-      if (pairs[k].bonded != bonded) continue;
-      sides[k] = sides_of(of_surfaces, pairs, k);
-      if (bonded && !sides[k].rigid) of_surfaces.add_glued(pairs[k], sides[k]);
-    }
-  return sides;
+  SurfaceStatement of_surfaces{said, GluedVertices<3>(said.bodies.joined)};
+  return bonded_first<3>(pairs, of_surfaces.glued, [&](int k) {
+    return sides_of(of_surfaces, pairs, k);
+  });
 }
 
 }  // namespace ffcontact::plugin

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,16 @@ std::vector<StatedPair> stated_pairs(Stack stack, const NamedArguments& named,
 /// The body that a label of the joined mesh is of.
 template <int dim>
 int body_of_label(const JoinedBodies<dim>& joined, int label);
+
+/// The bodies that a pair is of.
+template <int dim>
+std::set<int> bodies_of(const StatedPair& pair,
+                        const JoinedBodies<dim>& joined) {
+  std::set<int> bodies{pair.body};
+  for (const int label : pair.opposite)
+    bodies.insert(body_of_label(joined, label));
+  return bodies;
+}
 
 /// Whether what has its labels must not lie on itself, front to front: that would be two
 /// rigid foundations, or each side of a crack twice.

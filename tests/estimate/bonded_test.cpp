@@ -179,8 +179,8 @@ RC_GTEST_PROP(BondedEstimate, is_admissible_beside_what_slides,
   three.problem.law.multiplier =
       *rc::gen::element(Multiplier::force, Multiplier::pressure);
   clamp(three.problem, three.label(2, bottom));
-  prescribe_dof(three.problem, 0, 0);
-  prescribe_dof(three.problem, 2 * three.joined.first_vertex[1], 0);
+  for (const int body : {0, 1})
+    prescribe(three.problem, three.label(body, left), 0);
   add_traction(three.problem, three.label(0, top), {1, -7});
   add_traction(three.problem, three.label(1, right), {*real(-5, 5), 3});
   const ContactSolution<2> solution = solved(three.problem);

@@ -58,4 +58,18 @@ ContactLine with_constant_ends(const Mesh& mesh, const Edges& edges,
   return with_opposite(mesh, edges, without_unused_nodes(std::move(result)));
 }
 
+ContactLine without_ends(const Mesh& mesh, const Edges& edges,
+                         const ContactLine& line, const Flags& held) {
+  ContactLine result = line;
+  const VectorXi count = edges_at_nodes(line);
+  for (int e = 0; e < line.edge_count(); ++e)
+    for (int end = 0; end < 2; ++end) {
+      const int node = line.edge_node(end, e);
+      if (count[node] == 1 && held[line.vertex[node]] &&
+          result.edge_node(0, e) != result.edge_node(1, e))
+        result.edge_node(end, e) = line.edge_node(1 - end, e);
+    }
+  return with_opposite(mesh, edges, without_unused_nodes(std::move(result)));
+}
+
 }  // namespace ffcontact

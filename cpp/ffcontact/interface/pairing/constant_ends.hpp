@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/interface/contact_line.hpp"
 
 namespace ffcontact {
@@ -12,5 +13,11 @@ namespace ffcontact {
 /// left at least, which hold the moment of a body.
 ContactLine with_constant_ends(const Mesh& mesh, const Edges& edges,
                                const ContactLine& line);
+
+/// The same without the end nodes at some vertices, as where another multiplier holds the jump.
+/// A line of one edge keeps one of its nodes.
+/// @param held  1 at these vertices
+ContactLine without_ends(const Mesh& mesh, const Edges& edges,
+                         const ContactLine& line, const Flags& held);
 
 }  // namespace ffcontact
