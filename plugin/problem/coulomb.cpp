@@ -68,7 +68,7 @@ std::shared_ptr<const CondensedContact> contact_of_forces(
 
 double critical_friction_of(const ContactProblem<2>& problem,
                             const SolvedContact<2>& solved) {
-  const ContactSolution<2>& solution = solved.solution;
+  const auto& solution = solved.solution;
   return critical_friction(
       *solution.contact, nodal_law(solved.law, problem.contact), solution.state,
       contact_forces(solved.law, solution).multiplier.reshaped());
