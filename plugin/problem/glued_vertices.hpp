@@ -72,7 +72,10 @@ class GluedVertices {
                           Flags& held) {
     bool any = false;
     for (int i = 0; i < contact.node_count(); ++i)
-      if (is_nearly_held(glued, contact, i)) any = held[contact.vertex[i]] = 1;
+      if (is_nearly_held(glued, contact, i)) {
+        held[contact.vertex[i]] = 1;
+        any = true;
+      }
     return any;
   }
   static void add_nodes(const LineOrSurface<d>& contact, Glued& glued) {
