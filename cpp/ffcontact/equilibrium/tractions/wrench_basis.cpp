@@ -8,13 +8,6 @@ namespace ffcontact {
 
 namespace {
 
-/// h_F = A^(1/(d-1))
-template <int d>
-double size_of_facet(const MatrixOf<d>& corners) {
-  const double measure = facet_vector(corners).norm();
-  return d == 3 ? std::sqrt(measure) : measure;
-}
-
 /// sum of X X' of the moment matrices X of arms from the centroid
 template <int d>
 Matrix<double, CompositeElement<d>::turns, CompositeElement<d>::turns>
@@ -64,22 +57,35 @@ MomentMatrix<FFCONTACT_DIMENSION> moment_matrix<FFCONTACT_DIMENSION>(
 }
 
 template <int d>
-FacetMatrix<d> wrench_basis(const MatrixOf<d>& corners) {
-  using Element = CompositeElement<d>;
-  constexpr int turns = Element::turns;
+double size_of_facet(const MatrixOf<d>& corners) {
+  const double measure = facet_vector(corners).norm();
+  return d == 3 ? std::sqrt(measure) : measure;
+}
+
+template <int d>
+WrenchMoments<d> wrench_moments(const MatrixOf<d>& corners) {
+  constexpr int turns = CompositeElement<d>::turns;
   const MatrixOf<d> arms =
       (corners.colwise() - corners.rowwise().mean().eval()) /
       size_of_facet<d>(corners);
   // W W', whose blocks of forces with moments are 0 about the centroid: d I and J
   const Matrix<double, turns, turns> inverse =
       sum_of_squares<d>(arms).inverse();
-  FacetMatrix<d> V = FacetMatrix<d>::Zero();
+  WrenchMoments<d> moments = WrenchMoments<d>::Zero();
   for (int i = 0; i < d; ++i) {
-    V.template block<d, d>(d * i, 0).diagonal().setConstant(1.0 / d);
+    moments.template block<d, d>(d * i, 0).diagonal().setConstant(1.0 / d);
     const VectorOf<d> arm = arms.col(i);
-    V.template block<d, turns>(d * i, d) =
+    moments.template block<d, turns>(d * i, d) =
         moment_matrix<d>(arm).transpose() * inverse;
   }
+  return moments;
+}
+
+template <int d>
+FacetMatrix<d> wrench_basis(const MatrixOf<d>& corners) {
+  using Element = CompositeElement<d>;
+  FacetMatrix<d> V = FacetMatrix<d>::Zero();
+  V.template leftCols<Element::wrench>() = wrench_moments<d>(corners);
   for (int k = 0; k < Element::modes; ++k) {
     const int a = (k + 1) % d, b = (k + 2) % d;
     const VectorOf<d> along = (corners.col(b) - corners.col(a)).normalized();
@@ -137,6 +143,10 @@ std::array<FacetMatrix<d>, d + 1> wrench_bases(const FacetTopology<d>& topology,
   return bases;
 }
 
+template double size_of_facet<FFCONTACT_DIMENSION>(
+    const Matrix<double, FFCONTACT_DIMENSION, FFCONTACT_DIMENSION>&);
+template WrenchMoments<FFCONTACT_DIMENSION> wrench_moments<FFCONTACT_DIMENSION>(
+    const Matrix<double, FFCONTACT_DIMENSION, FFCONTACT_DIMENSION>&);
 template FacetMatrix<FFCONTACT_DIMENSION> wrench_basis<FFCONTACT_DIMENSION>(
     const Matrix<double, FFCONTACT_DIMENSION, FFCONTACT_DIMENSION>&);
 template struct WrenchShift<FFCONTACT_DIMENSION>;

@@ -28,15 +28,25 @@ using WrenchMatrix =
 /// f -> a x f, the moment of a force
 template <int d>
 using MomentMatrix = Matrix<double, CompositeElement<d>::turns, d>;
+/// Columns of moments for a wrench.
+template <int d>
+using WrenchMoments =
+    Matrix<double, CompositeElement<d>::moments, CompositeElement<d>::wrench>;
 
 /// The moments b of a facet by its wrench w and the forces y of its modes:
 ///     b = V (w, y),   w = (sum of b_i, sum of (x_i - x_F) x b_i / h_F),   x_F the centroid, h_F = A^(1/(d-1)),
 /// all in N. Mode k pushes the ends of a side apart: of the edge itself in the plane, of
 /// the side opposite to vertex k in space. The wrench without modes has the least moments,
-/// W'(W W')^-1 w. A cell stays balanced if and only if the wrenches of its facets, seen
-/// outward, add to zero.
+/// W'(W W')^-1 w (wrench_moments). A cell stays balanced if and only if the wrenches of its
+/// facets, seen outward, add to zero.
 template <int d>
 FacetMatrix<d> wrench_basis(const MatrixOf<d>& facet_corners);
+template <int d>
+WrenchMoments<d> wrench_moments(const MatrixOf<d>& facet_corners);
+
+/// h_F [mm]
+template <int d>
+double size_of_facet(const MatrixOf<d>& facet_corners);
 
 template <int d>
 MomentMatrix<d> moment_matrix(const VectorOf<d>& arm);
