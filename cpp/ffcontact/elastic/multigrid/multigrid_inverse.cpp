@@ -13,8 +13,8 @@ namespace ffcontact {
 
 namespace {
 
-// more would be less than the rounding of what several corrections leave
-constexpr ConjugateGradientLimits limits{1e-5, 150};
+// one solve is then enough where what is left is balanced otherwise (sweep_to_roots)
+constexpr ConjugateGradientLimits limits{1e-6, 150};
 
 }  // namespace
 

@@ -10,7 +10,7 @@ namespace ffcontact {
 constexpr int multigrid_pays_from = 20000;
 
 /// f -> u near K^-1 f on the free dofs, by conjugate gradients with SmoothedAggregation to a
-/// residual of 1e-5 of f; 0 where they do not get there. Of a singular K some u, where f
+/// residual of 1e-6 of f; 0 where they do not get there. Of a singular K some u, where f
 /// does no work on its rigid motions.
 /// @param system    outlives it
 /// @param vertices  of the mesh

@@ -18,27 +18,32 @@ constexpr int most_refinements = 3;
 /// edge of a thin triangle that balances it is larger by the ratio of its sides.
 constexpr double balanced = 1e-13;
 
+template <int d>
+struct BalancedStresses {
+  CellStresses<d> stress;
+  bool to_rounding;  ///< is no more missing than `balanced`?
+};
+
 /// Stresses in equilibrium with loads and contact tractions: the given ones, and those of
 /// the small displacement that makes up for what they lack; its own rounding once more.
+/// @param wanted       what may be missing, of the largest moment: `balanced` or more
 /// @param residual     what the stresses lack beside all loads and tractions
 /// @param rebalancing  makes a Rebalancing; not called where nothing is missing
 /// @param springs      answer that displacement, too
 /// @param keep         keep(change of the moments of their tractions)
 template <int d, class MakeRebalancing, class Keep>
-CellStresses<d> balanced_stresses(const Topology<d>& topology,
-                                  const HookeTensors<d>& hooke,
-                                  NodalResidual<d> residual,
-                                  CellStresses<d> stress,
-                                  const MakeRebalancing& rebalancing,
-                                  const BoundarySprings<d>& springs,
-                                  const Keep& keep) {
+BalancedStresses<d> balanced_stresses(
+    double wanted, const Topology<d>& topology, const HookeTensors<d>& hooke,
+    NodalResidual<d> residual, CellStresses<d> stress,
+    const MakeRebalancing& rebalancing, const BoundarySprings<d>& springs,
+    const Keep& keep) {
   const auto missing = [&] { return max_norm(residual.missing); };
-  const auto is_balanced = [&] {
-    return missing() <= balanced * residual.scale;
+  const auto is_balanced = [&](double part) {
+    return missing() <= part * residual.scale;
   };
-  if (is_balanced()) return stress;
+  if (is_balanced(wanted)) return {std::move(stress), is_balanced(balanced)};
   const Rebalancing solver = rebalancing();
-  for (int step = 0; step < most_refinements && !is_balanced(); ++step) {
+  for (int step = 0; step < most_refinements && !is_balanced(wanted); ++step) {
     const double before = missing();
     const VectorXd u = solver.displacement(residual.missing.reshaped());
     const CellStresses<d> added = stresses(topology.mesh, hooke, u);
@@ -50,7 +55,7 @@ CellStresses<d> balanced_stresses(const Topology<d>& topology,
     stress += added;
     if (!springs.empty()) keep(answers);
   }
-  return stress;
+  return {std::move(stress), is_balanced(balanced)};
 }
 
 }  // namespace ffcontact

@@ -10,7 +10,9 @@
 #include "ffcontact/elastic/multigrid/multigrid_inverse.hpp"
 #include "ffcontact/equilibrium/stress/cell_geometry.hpp"
 #include "ffcontact/equilibrium/tractions/equilibrated_moments.hpp"
+#include "ffcontact/equilibrium/tractions/free_springs.hpp"
 #include "ffcontact/equilibrium/tractions/nodal_residual.hpp"
+#include "ffcontact/equilibrium/tractions/tree_sweep.hpp"
 #include "ffcontact/estimate/tractions/balanced_stresses.hpp"
 #include "ffcontact/estimate/tractions/imbalance_cause.hpp"
 
@@ -135,18 +137,45 @@ FirstTractions<d> tractions_in_cone(const SolvedProblem<d>& solved,
   return first;
 }
 
-/// By the factor of the solution, or by multigrid where that is faster than one.
+/// Residual of u* by multigrid, of the largest moment: tractions that make up for it change e
+/// by some 1e-7 of it.
+constexpr double enough_by_multigrid = 1e-6;
+
+/// Is that faster than a factor, which is not at hand?
+template <int d>
+bool multigrid_pays(const SolvedProblem<d>& solved) {
+  return d == 3 && !solved.body.stiffness &&
+         free_dof_count(solved.system) >= multigrid_pays_from;
+}
+
+/// @param enough  residual of u* that may be left by multigrid [N]
 template <int d>
 Rebalancing rebalancing_of(const SolvedProblem<d>& solved,
-                           const MatrixXd& motions) {
+                           const MatrixXd& motions, double enough) {
   const ElasticSystem& system = solved.system;
   const std::vector<int> contact_dofs =
       free_dofs_at(contact_vertices(solved.contact), system);
   if constexpr (d == 3)
-    if (!solved.body.stiffness && free_dof_count(system) >= multigrid_pays_from)
+    if (multigrid_pays(solved))
       return {system, contact_dofs, motions,
-              multigrid_inverse(system, solved.topology.mesh.vertices)};
+              multigrid_inverse(system, solved.topology.mesh.vertices), enough};
   return {system, contact_dofs, motions, solved.body.stiffness};
+}
+
+/// What cells lack where stresses are balanced by less than rounding supports take, and
+/// springs where there are none.
+template <int d>
+void put_in_balance(MatchedBodies<d>& bodies, const FacetTractions<d>& boundary,
+                    const Ref<const VectorXd>& u_hat,
+                    FacetColumns<d>& moments) {
+  const Topology<d>& topology = bodies.topology();
+  const SolvedBody<d>& body = bodies.body();
+  const std::vector<FreeSpring<d>> springs =
+      free_springs<d>(topology.mesh, topology.facets, body.springs, boundary,
+                      u_hat, bodies.spring_tractions());
+  sweep_to_roots<d>(topology, body.body_loads, boundary, springs, moments);
+  add_spring_changes<d>(topology.mesh, topology.facets, springs, boundary,
+                        moments, bodies.spring_tractions());
 }
 
 }  // namespace
@@ -173,19 +202,22 @@ FirstTractions<d> first_tractions(const SolvedProblem<d>& solved,
   if constexpr (d == 3)
     tractions.beside = boundary_without.moments(Eigen::all, contact.face);
 
-  const auto rebalancing = [&solved, &motions] {
-    return rebalancing_of(solved, motions.all());
+  NodalResidual<d> residual =
+      residual_with(solved, bodies, tractions, computed, std::move(without));
+  const double wanted = multigrid_pays(solved) ? enough_by_multigrid : balanced;
+  const auto rebalancing = [&, enough = wanted * residual.scale] {
+    return rebalancing_of(solved, motions.all(), enough);
   };
-  const CellStresses<d> stress = balanced_stresses(
-      topology, body.hooke,
-      residual_with(solved, bodies, tractions, computed, std::move(without)),
-      computed, rebalancing, body.springs,
+  const auto [stress, to_rounding] = balanced_stresses<d>(
+      wanted, topology, body.hooke, std::move(residual), computed, rebalancing,
+      body.springs,
       [&](const FacetColumns<d>& answers) { bodies.add_to_springs(answers); });
   const FacetTractions<d> boundary = balanced_boundary(bodies, tractions);
   first.moments =
       bodies.moments(equilibrated_moments(topology, stress, body.body_loads,
                                           bodies.solved_boundary(boundary)),
                      stress, boundary);
+  if (!to_rounding) put_in_balance(bodies, boundary, u_hat, first.moments);
   return first;
 }
 

@@ -18,7 +18,9 @@ struct FirstTractions {
 
 /// Tractions in the cone are not those that u_h was computed with: one back-substitution
 /// gives the small displacement whose stresses make up for the difference, and one or two
-/// more its rounding (Rebalancing); springs answer it.
+/// more its rounding (Rebalancing); springs answer it. By multigrid it is solved to 1e-6 of the
+/// largest moment, and what cells lack then goes to the supports (sweep_to_roots), as wherever
+/// rounding is not reached. After solves to rounding cells are balanced as well without.
 /// @param u_hat  admissible displacement of the matched bodies
 /// @throws std::invalid_argument  if loads and stresses do not balance each other, with
 ///                                the cause, or where no tractions in the cone hold the

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/tractions/rebalancing.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "ffcontact/linear/dense/least_squares.hpp"
@@ -24,11 +25,13 @@ Rebalancing::Rebalancing(const ElasticSystem& system,
 
 Rebalancing::Rebalancing(const ElasticSystem& system,
                          const std::vector<int>& contact_dofs,
-                         const MatrixXd& motions, LinearMap inverse)
+                         const MatrixXd& motions, LinearMap inverse,
+                         double enough)
     : system_(system),
       contact_dofs_(contact_dofs),
       motions_(motions),
-      inverse_(std::move(inverse)) {}
+      inverse_(std::move(inverse)),
+      enough_(enough) {}
 
 VectorXd Rebalancing::solved(const VectorXd& force_change) const {
   if (!stiffness_) return without_motion(inverse_(force_change));
@@ -49,7 +52,8 @@ VectorXd Rebalancing::displacement(const VectorXd& force_change) const {
   VectorXd u = solved(force_change);
   if (stiffness_ && stiffness_->is_exact()) return u;
   double last = max_norm(force_change);
-  const double wanted = of_rounding * last;
+  const double rounding = of_rounding * last,
+               wanted = std::max(rounding, enough_);
   for (int k = 0; k < most_corrections; ++k) {
     const VectorXd left =
         on_free_dofs(system_, force_change - system_.stiffness * u);
@@ -59,7 +63,7 @@ VectorXd Rebalancing::displacement(const VectorXd& force_change) const {
     u += solved(left);
     last = size;
   }
-  if (last <= 1e3 * wanted) return u;
+  if (last <= 1e3 * rounding) return u;
   return Rebalancing(system_, contact_dofs_, motions_)
       .displacement(force_change);
 }

@@ -29,8 +29,9 @@ class Rebalancing {
               std::shared_ptr<const CondensedStiffness> stiffness = nullptr);
 
   /// @param inverse  near that of K, as multigrid_inverse, in place of a factor
+  /// @param enough   largest residual that may be left, beyond rounding [N]
   Rebalancing(const ElasticSystem& system, const std::vector<int>& contact_dofs,
-              const MatrixXd& motions, LinearMap inverse);
+              const MatrixXd& motions, LinearMap inverse, double enough = 0);
 
   /// u* - u_h on all dofs [mm], by one back-substitution, or some in single precision.
   /// @param force_change  on all dofs [N/mm]
@@ -47,6 +48,7 @@ class Rebalancing {
   std::shared_ptr<const CondensedStiffness> stiffness_;
   std::optional<SchurSolver> schur_;
   LinearMap inverse_;
+  double enough_ = 0;
 };
 
 }  // namespace ffcontact
