@@ -45,7 +45,7 @@ class Step:
         head, self.nodes = read_nodes(folder / f"contact{number}.txt")
         self.line = self.nodes.get("line", np.ones(len(self.nodes["x"]))).astype(int)
         self.facing = np.column_stack([self.nodes["facingx"], self.nodes["facingy"]])
-        self.is_coulomb = head["law"] == "coulomb"
+        self.is_coulomb, self.is_bonded = head["law"] == "coulomb", head["law"] == "bonded"
         self.is_judged = "eps" in head
         if self.is_judged:
             self.eps = float(head["eps"])
@@ -214,7 +214,8 @@ def draw_line(axes, step, k, single):
     bound = np.minimum(friction * np.abs(nodes["pn"]), limit) if step.is_coulomb else limit
     dots = {"linewidth": 1.1, "marker": "o", "markersize": 2.4 if single else 1.8}
     name = r"$\pm\mu|\lambda_{hn}|$" if step.is_coulomb else r"$\pm k$"
-    axes.fill_between(abscissa, -bound, bound, color="#e2e2e2", linewidth=0, label=name)
+    if not step.is_bonded:
+        axes.fill_between(abscissa, -bound, bound, color="#e2e2e2", linewidth=0, label=name)
     axes.axhline(0, color=GREY, linewidth=0.5)
     axes.plot(abscissa, -nodes["pn"], color=INK, label=r"$-\lambda_{hn}$", **dots)
     axes.plot(abscissa, -nodes["pt"], color=BLUE, label=r"$-\lambda_{ht}$", **dots)
