@@ -45,6 +45,16 @@ NodalLaw one_node(double friction) {
   return law;
 }
 
+/// Where nothing pushes yet, a given bound is missed by as much as can be.
+TEST(NodalLaw, slip_without_the_given_friction_violates_it) {
+  NodalLaw law = one_node(0);
+  law.cone[0].cohesion = 1e-9;
+  EXPECT_EQ(law_violation(law, Vector2d(0, 0), Vector2d(0, 3), {3, 0}), 1);
+  EXPECT_EQ(law_violation(law, Vector2d(0, 0), Vector2d(0, 0), {3, 0}), 0);
+  EXPECT_EQ(law_violation(law, Vector2d(0, -1e-9), Vector2d(0, 3), {3, 0}), 0);
+  EXPECT_EQ(law_violation(law, Vector2d(0, 0), Vector2d(0, 3), {3, 0}, {1}), 0);
+}
+
 /// Of P = (-2, 0.6, 0.8) at the bound of mu = 1/2.
 TEST(NodalLaw, violation_is_the_smaller_of_two_that_must_vanish) {
   const Vector3d P(-2, 0.6, 0.8), along = -Vector3d(0, 0.6, 0.8);

@@ -43,8 +43,9 @@ inline double either_violation(double P, double v) {
 }
 
 /// Largest violation of the law, (3.17)-(3.22) of plane bodies, by P and v of rows d i + c
-/// [d p]: displacements relative to scales.v, multipliers to the largest of them, or to
-/// scales.P where they are but rounding beside it. Where one of two must be 0 (P_n or v_n,
+/// [d p]: displacements relative to scales.v, multipliers to the largest of them, to
+/// scales.P where they are but rounding beside it, or where all are 0 to the largest given
+/// bound, which would be nothing beside them. Where one of two must be 0 (P_n or v_n,
 /// v_t or P_t + b v_t / |v_t|) the smaller one is the violation: a product would let both be
 /// a hundred thousand roundings.
 /// @param idle  1 where the friction of a node does nothing to a body, and is not looked at
