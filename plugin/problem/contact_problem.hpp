@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <type_traits>
@@ -91,8 +92,9 @@ struct ContactProblem : Bodies<d>, Carrier<d> {
   }
   void join_carriers();
 
-  /// The side that pairs of the same bodies want: a stated one, or that which yields more.
-  int side_of(const std::set<int>& bodies, const ElasticSystem& system) const;
+  /// The side that pairs of the same bodies want: a stated one, or that which yields more; by
+  /// the bodies.
+  std::map<std::set<int>, int> wanted_sides(const ElasticSystem& system) const;
 
   std::vector<PairSides<d>> pairs_;
   std::vector<std::set<int>> bodies_of_pair_;
@@ -120,25 +122,30 @@ void ContactProblem<d>::state(Stack stack, const NamedArguments& named,
 }
 
 template <int d>
-int ContactProblem<d>::side_of(const std::set<int>& bodies,
-                               const ElasticSystem& system) const {
-  double sum = 0;
-  int count = 0;
+std::map<std::set<int>, int> ContactProblem<d>::wanted_sides(
+    const ElasticSystem& system) const {
+  std::map<std::set<int>, int> wanted;
+  std::map<std::set<int>, double> softness;  // of the first side, a logarithm
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    if (bodies_of_pair_[k] != bodies || pairs_[k].rigid) continue;
-    if (pairs_[k].wanted != 0) return pairs_[k].wanted;
-    if (!pairs_[k].other) return 1;
-    sum += std::log(pairs_[k].compliance_ratio(system));
-    ++count;
+    const PairSides<d>& pair = pairs_[k];
+    if (pair.rigid) continue;
+    if (pair.wanted != 0 || !pair.other)
+      wanted.emplace(bodies_of_pair_[k], std::max(1, pair.wanted));
+    else
+      softness[bodies_of_pair_[k]] +=
+          std::log(pair.compliance_ratio(system) / much_softer);
   }
-  return sum > count * std::log(much_softer) ? 2 : 1;
+  for (const auto& [bodies, sum] : softness)
+    wanted.emplace(bodies, sum > 0 ? 2 : 1);
+  return wanted;
 }
 
 template <int d>
 void ContactProblem<d>::choose_sides(const ElasticSystem& system) {
+  const std::map<std::set<int>, int> wanted = wanted_sides(system);
   for (std::size_t k = 0; k < pairs_.size(); ++k)
     if (pairs_[k].wanted == 0 && pairs_[k].other)
-      side[k] = side_of(bodies_of_pair_[k], system);
+      side[k] = wanted.at(bodies_of_pair_[k]);
   join_carriers();
 }
 

@@ -48,9 +48,11 @@ class GluedVertices {
   /// @return whether there are any
   bool hold(const StatedPair& pair, const LineOrSurface<d>& contact,
             Flags& held) const {
+    if (pair.bonded) return false;
+    const std::set<int> bodies = bodies_of(pair, joined_);
     bool any = false;
     for (const Glued& glued : all_)
-      if (!pair.bonded && glued.bodies == bodies_of(pair, joined_))
+      if (glued.bodies == bodies)
         any = hold_beside(glued, contact, held) || any;
     return any;
   }

@@ -95,7 +95,12 @@ ContactSubset<d> subset(const LineOrSurface<d>& all, const ContactLaw<d>& law,
   result.contact.normal = all.normal(Eigen::all, node.old);
   result.contact.opposite = rows_of(all.opposite, node.old);
   put_facets<d>(all, node, facet, result.contact);
-  result.law = law_of<d>(law, node.old, facet.old);
+  result.law = law_of<d>(law, node.old);
+  if constexpr (d == 2)
+    for (EdgeRange ContactLaw<d>::*range :
+         {&ContactLaw<d>::between_nodes, &ContactLaw<d>::limit_between_nodes})
+      result.law.*range = {some_columns((law.*range).least, facet.old),
+                           some_columns((law.*range).most, facet.old)};
   result.node = node.old;
   return result;
 }
@@ -103,8 +108,7 @@ ContactSubset<d> subset(const LineOrSurface<d>& all, const ContactLaw<d>& law,
 }  // namespace
 
 template <int d>
-ContactLaw<d> law_of(const ContactLaw<d>& law, const std::vector<int>& node,
-                     const std::vector<int>& edge) {
+ContactLaw<d> law_of(const ContactLaw<d>& law, const std::vector<int>& node) {
   ContactLaw<d> result = law;
   for (VectorXd ContactLaw<d>::*values :
        {&ContactLaw<d>::friction, &ContactLaw<d>::slip_bound,
@@ -114,11 +118,6 @@ ContactLaw<d> law_of(const ContactLaw<d>& law, const std::vector<int>& node,
   result.carried = some_columns(law.carried, node);
   result.bonded.clear();
   for (const int i : node) result.bonded.push_back(law.is_bonded(i));
-  if constexpr (d == 2)
-    for (EdgeRange ContactLaw<d>::*range :
-         {&ContactLaw<d>::between_nodes, &ContactLaw<d>::limit_between_nodes})
-      result.*range = {some_columns((law.*range).least, edge),
-                       some_columns((law.*range).most, edge)};
   return result;
 }
 
@@ -158,7 +157,6 @@ template Flags held_with_bonded<FFCONTACT_DIMENSION>(
     const LineOrSurface<FFCONTACT_DIMENSION>&,
     const ContactLaw<FFCONTACT_DIMENSION>&, Flags);
 template ContactLaw<FFCONTACT_DIMENSION> law_of(
-    const ContactLaw<FFCONTACT_DIMENSION>&, const std::vector<int>&,
-    const std::vector<int>&);
+    const ContactLaw<FFCONTACT_DIMENSION>&, const std::vector<int>&);
 
 }  // namespace ffcontact

@@ -17,10 +17,10 @@ struct ContactSubset {
   std::vector<int> node;  ///< number in the whole of each node
 };
 
-/// @param node, edge  numbers in the whole of nodes and edges; those of faces are not read
+/// The law at some nodes, each as often as it stands there; ranges of edges stay as they are.
+/// @param node  numbers in the whole
 template <int d>
-ContactLaw<d> law_of(const ContactLaw<d>& law, const std::vector<int>& node,
-                     const std::vector<int>& edge);
+ContactLaw<d> law_of(const ContactLaw<d>& law, const std::vector<int>& node);
 
 /// What is bonded, or what is not. A facet of which a corner is no node is of what its other
 /// ones are of.

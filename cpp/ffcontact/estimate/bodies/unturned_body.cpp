@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/bodies/unturned_body.hpp"
 
-#include <numeric>
-#include <vector>
-
 #include "ffcontact/contact/law/nodal_pressures.hpp"
 #include "ffcontact/estimate/bodies/contact_subset.hpp"
 
@@ -23,10 +20,8 @@ SolvedBody<2> unturned_body(const SolvedProblem<2>& solved,
   SolvedBody<2> body = solved.body;
   body.multipliers =
       consistent_pressures(line, solved.system.prescribed, shared);
-  std::vector<int> edges(line.edge_count());
-  std::iota(edges.begin(), edges.end(), 0);
-  body.law = law_of<2>(body.law,
-                       {unturned.parent.begin(), unturned.parent.end()}, edges);
+  body.law =
+      law_of<2>(body.law, {unturned.parent.begin(), unturned.parent.end()});
   return body;
 }
 
