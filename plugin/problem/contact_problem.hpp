@@ -145,7 +145,7 @@ void ContactProblem<d>::choose_sides(const ElasticSystem& system) {
   const std::map<std::set<int>, int> wanted = wanted_sides(system);
   for (std::size_t k = 0; k < pairs_.size(); ++k)
     if (pairs_[k].wanted == 0 && pairs_[k].other)
-      side[k] = wanted.at(bodies_of_pair_[k]);
+      side[k] = wanted.find(bodies_of_pair_[k])->second;
   join_carriers();
 }
 
