@@ -8,11 +8,11 @@ namespace ffcontact::plugin {
 RowMatrix matrix_of(Matrice_Creuse<double>* matrix) {
   HashMatrix<int, double>* hash = matrix ? matrix->pHM() : nullptr;
   if (!hash) refuse("the matrix A is not set");
-  int *rows, *columns;
-  double* values;
-  hash->CSR(rows, columns, values);
-  const RowMatrix stored = Map<const RowMatrix>(
-      hash->n, hash->m, static_cast<Index>(hash->nnz), rows, columns, values);
+  hash->setfortran(0);
+  // FreeFEM's own CSR() sorts slowly
+  RowMatrix stored =
+      matrix_of_entries(hash->n, hash->m, static_cast<Index>(hash->nnz),
+                        hash->i, hash->j, hash->aij);
   if (!hash->half) return stored;
   RowMatrix transposed = stored.transpose();
   transposed.prune([](Index i, Index j, double) { return i != j; });

@@ -147,8 +147,9 @@ class ContactErrorFunction : public E_F0mps {
     problem.require_bodies("A, u", matrix_.size());
     std::vector<ElasticSystem> systems;
     for (int k = 0; k < problem.body_count(); ++k) {
-      const RowMatrix A = matrix_of_body(stack, problem, k, matrix_[k]);
-      systems.push_back(elastic_system(A, VectorXd::Zero(A.rows())));
+      RowMatrix A = matrix_of_body(stack, problem, k, matrix_[k]);
+      const VectorXd none = VectorXd::Zero(A.rows());
+      systems.push_back(elastic_system(std::move(A), none));
     }
     const Matrix2Xd pressures =
         pressures_of(problem, value_of<KN<double>*>(stack, normal_),

@@ -92,12 +92,12 @@ ElasticSystem system_of(const SolveCall& call, const BodyDofs& bodies,
   std::vector<ElasticSystem> systems;
   VectorXd load(bodies.dof_count());
   for (int k = 0; k < bodies.body_count(); ++k) {
-    const RowMatrix A = matrix_of_body(call.stack, bodies, k, call.matrix[k]);
+    RowMatrix A = matrix_of_body(call.stack, bodies, k, call.matrix[k]);
     const VectorXd b =
         vector_of(value_of<KN<double>*>(call.stack, call.load[k]));
     bodies.require_dofs("b", k, b.size());
     load.segment(bodies.first_dof(k), bodies.dof_count(k)) = b;
-    systems.push_back(elastic_system(A, b, dim));
+    systems.push_back(elastic_system(std::move(A), b, dim));
   }
   require_order(mesh, load, joined_displacement(bodies, call.u));
   return joined(std::move(systems));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/packed.hpp"
@@ -109,14 +110,16 @@ void append_row(const RowMatrix& K, Index row, Index first, RowMatrix& joined) {
 
 }  // namespace
 
-ElasticSystem elastic_system(const RowMatrixView& A,
-                             const Ref<const VectorXd>& b, int dimension) {
-  require_shape(A, b, dimension);
+ElasticSystem elastic_system(MovableMatrix matrix, const Ref<const VectorXd>& b,
+                             int dimension) {
+  require_shape(matrix, b, dimension);
   require_finite("b", b);
-  require_finite_entries(A);
+  require_finite_entries(matrix);
 
-  ElasticSystem system{A, b, prescribed_dofs(A), VectorXd::Zero(A.rows()),
-                       dimension};
+  ElasticSystem system{
+      std::move(matrix), b, {}, VectorXd::Zero(b.size()), dimension};
+  const RowMatrix& A = system.stiffness;
+  system.prescribed = prescribed_dofs(A);
   require_symmetric(A, system.prescribed);
   read_prescribed_values(A, b, system);
   if (!system.prescribed_value.isZero(0)) {

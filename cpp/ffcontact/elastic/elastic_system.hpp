@@ -14,7 +14,7 @@ namespace ffcontact {
 /// prescribed ones; dofs are numbered as in dofs.hpp.
 struct ElasticSystem {
   /// K [N/mm; per unit thickness in the plane]; rows and columns of prescribed dofs are not used
-  RowMatrix stiffness;
+  MovableMatrix stiffness;
   /// b with the prescribed columns moved to the right, 0 on prescribed dofs [N/mm]
   VectorXd load;
   Flags prescribed;           ///< 1 where the dof is prescribed
@@ -25,14 +25,15 @@ struct ElasticSystem {
 };
 
 /// The system as FreeFEM assembles it: prescribed_dofs have the value b / diagonal.
+/// @param A          moved into the system, whose stiffness it is
 /// @param dimension  2 or 3, of the body
 /// @throws std::invalid_argument  if sizes differ or are no multiple of the dimension, a
 ///                                value of A or b is not finite, A is not symmetric on
 ///                                the free dofs, a prescribed value is not zero where the
 ///                                columns of A are gone (tgv = -2), or such a matrix was
 ///                                scaled and has free dofs without free neighbours
-ElasticSystem elastic_system(const RowMatrixView& A,
-                             const Ref<const VectorXd>& b, int dimension = 2);
+ElasticSystem elastic_system(MovableMatrix A, const Ref<const VectorXd>& b,
+                             int dimension = 2);
 
 /// Forces on all dofs, 0 on the prescribed ones.
 VectorXd on_free_dofs(const ElasticSystem& system, VectorXd forces);
