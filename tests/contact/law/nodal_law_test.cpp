@@ -53,6 +53,9 @@ TEST(NodalLaw, slip_without_the_given_friction_violates_it) {
   EXPECT_EQ(law_violation(law, Vector2d(0, 0), Vector2d(0, 0), {3, 0}), 0);
   EXPECT_EQ(law_violation(law, Vector2d(0, -1e-9), Vector2d(0, 3), {3, 0}), 0);
   EXPECT_EQ(law_violation(law, Vector2d(0, 0), Vector2d(0, 3), {3, 0}, {1}), 0);
+  law.cone.push_back({1});  // idle, no scale of the other one
+  const VectorXd none = VectorXd::Zero(4);
+  EXPECT_EQ(law_violation(law, none, Vector4d(0, 3, 0, 0), {3, 0}, {0, 1}), 1);
 }
 
 /// Of P = (-2, 0.6, 0.8) at the bound of mu = 1/2.
