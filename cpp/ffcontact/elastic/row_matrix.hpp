@@ -15,7 +15,6 @@ class MovableMatrix : public RowMatrix {
   using RowMatrix::operator=;
 
   MovableMatrix() = default;
-  MovableMatrix(Index rows, Index cols) : RowMatrix(rows, cols) {}
   MovableMatrix(const RowMatrix& matrix) : RowMatrix(matrix) {}
   MovableMatrix(RowMatrix&& matrix) { swap(matrix); }
 
@@ -29,7 +28,8 @@ class MovableMatrix : public RowMatrix {
   ~MovableMatrix() = default;
 };
 
-/// From entries in any order, of which no two are in one place.
+/// From entries in any order, of which no two are in one place, in the room of the matrix
+/// alone (packed takes that of two, and triplets).
 /// @param row, column, value  of each of so many entries
 RowMatrix matrix_of_entries(Index rows, Index columns, Index entries,
                             const int* row, const int* column,

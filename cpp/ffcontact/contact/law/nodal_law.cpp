@@ -87,8 +87,9 @@ double law_violation(const NodalLaw& law, const Ref<const VectorXd>& P,
   VectorXd felt = P;
   for (int i = 0; i < law.node_count(); ++i)
     if (is_idle(i)) felt.segment(d * i + 1, d - 1).setZero();
-  double p_scale = std::max(scales.P, max_norm(felt));
-  for (int i = 0; max_norm(felt) == 0 && i < law.node_count(); ++i)
+  const double largest_felt = max_norm(felt);
+  double p_scale = std::max(scales.P, largest_felt);
+  for (int i = 0; largest_felt == 0 && i < law.node_count(); ++i)
     if (!is_idle(i)) p_scale = std::max(p_scale, law.cone[i].cohesion);
   double largest = 0;
   for (int i = 0; i < law.node_count(); ++i) {

@@ -11,16 +11,8 @@
 
 namespace ffcontact {
 
-/// The directions in which supports answer, as a projector: 0 where all is given.
-template <int d>
-MatrixOf<d> answers_on(const FacetTractions<d>& boundary, int facet) {
-  MatrixOf<d> P = MatrixOf<d>::Identity();
-  for (int c = 0; c < d; ++c)
-    if (boundary.known(c, facet)) P(c, c) = 0;
-  return P;
-}
-
-/// The directions in which supports and springs answer, of boundary facets.
+/// The directions in which supports and springs answer, of boundary facets, as projectors: 0
+/// where all is given.
 template <int d>
 class Answers {
  public:
@@ -31,7 +23,9 @@ class Answers {
       of_springs_[spring.facet] = spring.answers;
   }
   MatrixOf<d> on(int facet) const {
-    const MatrixOf<d> P = answers_on(boundary_, facet);
+    MatrixOf<d> P = MatrixOf<d>::Identity();
+    for (int c = 0; c < d; ++c)
+      if (boundary_.known(c, facet)) P(c, c) = 0;
     const auto spring = of_springs_.find(facet);
     return spring == of_springs_.end() ? P : MatrixOf<d>(P + spring->second);
   }
