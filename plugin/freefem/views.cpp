@@ -13,10 +13,12 @@ RowMatrix matrix_of(Matrice_Creuse<double>* matrix) {
   RowMatrix stored =
       matrix_of_entries(hash->n, hash->m, static_cast<Index>(hash->nnz),
                         hash->i, hash->j, hash->aij);
-  if (!hash->half) return stored;
-  RowMatrix transposed = stored.transpose();
-  transposed.prune([](Index i, Index j, double) { return i != j; });
-  return stored + transposed;
+  if (hash->half) {
+    RowMatrix transposed = stored.transpose();
+    transposed.prune([](Index i, Index j, double) { return i != j; });
+    stored += transposed;
+  }
+  return stored;  // in place: Eigen 3.4 would copy what it could move
 }
 
 Map<VectorXd> vector_of(KN<double>* array) {

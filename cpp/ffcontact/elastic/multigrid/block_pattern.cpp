@@ -70,7 +70,7 @@ TransposedPattern transposed(const BlockPattern& A, int columns) {
     for (int k = A.begin(i); k < A.end(i); ++k) {
       const int at = next[A.column[k]]++;
       result.pattern.column[at] = i;
-      result.place[k] = at;
+      result.place[at] = k;
     }
   return result;
 }

@@ -19,7 +19,7 @@ struct BlockPattern {
 /// @param columns  of B
 BlockPattern product(const BlockPattern& A, const BlockPattern& B, int columns);
 
-/// Of A', and where in it each block of A is.
+/// Of A', and where in A each of its blocks is.
 struct TransposedPattern {
   BlockPattern pattern;
   std::vector<int> place;

@@ -13,7 +13,6 @@ VectorXf product(const BlockRows<height, width>& A, const VectorXf& x) {
 
 template VectorXf product(const BlockRows<3, 3>&, const VectorXf&);
 template VectorXf product(const BlockRows<3, 6>&, const VectorXf&);
-template VectorXf product(const BlockRows<6, 3>&, const VectorXf&);
 template VectorXf product(const BlockRows<6, 6>&, const VectorXf&);
 
 }  // namespace ffcontact

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ffcontact/elastic/multigrid/grid_level.hpp"
+#include "ffcontact/elastic/multigrid/smoothed_grid.hpp"
 #include "ffcontact/elastic/multigrid/vertex_frames.hpp"
 
 namespace ffcontact {

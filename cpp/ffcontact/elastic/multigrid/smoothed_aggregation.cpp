@@ -33,15 +33,15 @@ MatrixXd dense(const BlockRows<size, size>& A) {
 template <int dim>
 SmoothedAggregation<dim>::SmoothedAggregation(Grid<dim, dim> grid)
     : finest_(std::move(grid), strong) {
-  last_ = finest_.coarse_grid();
+  last_ = finest_.coarsening.coarse_grid(finest_.fine);
   double threshold = strong;
-  int nodes = finest_.node_count();
+  int nodes = finest_.fine.node_count();
   while (last_.A.rows() > few && last_.A.rows() < hardly * nodes &&
          coarse_.size() < most_levels) {
     threshold /= 2;
     nodes = last_.A.rows();
-    coarse_.emplace_back(std::move(last_), threshold);
-    last_ = coarse_.back().coarse_grid();
+    auto& level = coarse_.emplace_back(std::move(last_), threshold);
+    last_ = level.coarsening.coarse_grid(level.fine);
   }
   factor_ = DroppingCholesky(dense(last_.A));
 }
@@ -51,28 +51,34 @@ void SmoothedAggregation<dim>::put(const std::vector<Change>& changes) {
   if (changes.empty()) return;
   ChangedNodes changed;
   for (const Change& change : changes) {
-    finest_.grid().A.block(change.vertex, change.vertex) = change.diagonal;
-    finest_.grid().motions[change.vertex].motions = change.motions;
+    Grid<dim, dim>& grid = finest_.fine.grid();
+    grid.A.block(change.vertex, change.vertex) = change.diagonal;
+    grid.motions[change.vertex].motions = change.motions;
     changed.rows.push_back(change.vertex);
   }
   changed.motions = changed.rows;
-  const auto below = [this](std::size_t k) -> typename Finest::CoarseGrid& {
-    return k < coarse_.size() ? coarse_[k].grid() : last_;
+  const auto followed = [&](auto& level, std::size_t next) {
+    level.fine.refresh(changed.rows);
+    return level.coarsening.follow(
+        level.fine, changed,
+        next < coarse_.size() ? coarse_[next].fine.grid() : last_);
   };
-  ChangedNodes next = finest_.refresh(changed, below(0));
+  changed = followed(finest_, 0);
   for (std::size_t k = 0; k < coarse_.size(); ++k)
-    next = coarse_[k].refresh(next, below(k + 1));
+    changed = followed(coarse_[k], k + 1);
   factor_ = DroppingCholesky(dense(last_.A));
 }
 
 template <int dim>
-template <class Level>
-VectorXf SmoothedAggregation<dim>::cycle(const Level& level, std::size_t next,
+template <int size>
+VectorXf SmoothedAggregation<dim>::cycle(const Level<size>& level,
+                                         std::size_t next,
                                          const VectorXf& right) const {
-  VectorXf residual = right, x = level.smoothed(residual);
-  x += level.prolonged(cycle(next, level.restricted(residual)));
-  residual = level.residual(right, x);
-  x += level.smoothed(residual);
+  const auto& [fine, coarsening] = level;
+  VectorXf residual = right, x = fine.smoothed(residual);
+  x += coarsening.prolonged(cycle(next, coarsening.restricted(residual)));
+  residual = fine.residual(right, x);
+  x += fine.smoothed(residual);
   return x;
 }
 

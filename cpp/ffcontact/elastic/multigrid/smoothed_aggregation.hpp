@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <utility>
 #include <vector>
 
+#include "ffcontact/elastic/multigrid/coarsening.hpp"
 #include "ffcontact/elastic/multigrid/dropping_cholesky.hpp"
-#include "ffcontact/elastic/multigrid/grid_level.hpp"
 
 namespace ffcontact {
 
@@ -23,13 +24,12 @@ namespace ffcontact {
 template <int dim>
 class SmoothedAggregation {
  public:
-  using Finest = GridLevel<dim, dim>;
-  using Coarse = GridLevel<dim, Finest::coarse_size>;
+  static constexpr int coarse_size = Coarsening<dim, dim>::coarse_size;
 
   /// @param grid  A of the vertices, with motions of radius 0
   explicit SmoothedAggregation(Grid<dim, dim> grid);
 
-  const BlockRows<dim, dim>& matrix() const { return finest_.matrix(); }
+  const BlockRows<dim, dim>& matrix() const { return finest_.fine.grid().A; }
   /// M right
   VectorXf operator()(const VectorXf& right) const;
 
@@ -37,20 +37,29 @@ class SmoothedAggregation {
   struct Change {
     int vertex;
     SingleBlock<dim, dim> diagonal;
-    SingleBlock<dim, Finest::coarse_size> motions;
+    SingleBlock<dim, coarse_size> motions;
   };
   void put(const std::vector<Change>& changes);
 
  private:
+  template <int size>
+  struct Level {
+    Level(Grid<dim, size> grid, double threshold)
+        : fine(std::move(grid)), coarsening(fine.grid(), threshold) {}
+
+    SmoothedGrid<dim, size> fine;
+    Coarsening<dim, size> coarsening;
+  };
+
   VectorXf cycle(std::size_t level, const VectorXf& right) const;
-  template <class Level>
-  VectorXf cycle(const Level& level, std::size_t next,
+  template <int size>
+  VectorXf cycle(const Level<size>& level, std::size_t next,
                  const VectorXf& right) const;
 
-  Finest finest_;
-  std::vector<Coarse> coarse_;
+  Level<dim> finest_;
+  std::vector<Level<coarse_size>> coarse_;
   /// the grid beyond the last one, solved by its factor
-  typename Finest::CoarseGrid last_;
+  Grid<dim, coarse_size> last_;
   DroppingCholesky factor_;
 };
 
