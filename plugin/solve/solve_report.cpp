@@ -86,6 +86,12 @@ void report_details(const SolveAnswer& answer) {
        << answer.residual << endl;
 }
 
+/// Of multigrid.
+std::string products_of(const SolveAnswer& answer) {
+  if (answer.products == 0) return {};
+  return " of " + std::to_string(answer.products) + " products";
+}
+
 }  // namespace
 
 Counts counted(const ContactStates& states) {
@@ -148,9 +154,10 @@ void report_solution(const SolveCall& call, const BodyDofs& bodies,
   const auto& [open, stick, slip] = answer.counts;
   cout << "contactsolve: " << bodies.dof_count() << " dofs, "
        << open + stick + slip << " contact nodes" << sides(side) << ", "
-       << answer.iterations << " iterations, " << open << " open, " << stick
-       << " stick, " << slip << " slip, " << in_words(answer.status) << ", "
-       << call.watch.seconds() << " s" << endl;
+       << answer.iterations << " iterations" << products_of(answer) << ", "
+       << open << " open, " << stick << " stick, " << slip << " slip, "
+       << in_words(answer.status) << ", " << call.watch.seconds() << " s"
+       << endl;
   if (call.verbosity() > 1) report_details(answer);
 }
 

@@ -20,15 +20,16 @@ Counts counted(const ContactStates& states);
 /// What is said of a solution.
 struct SolveAnswer {
   ContactStatus status;
-  int iterations;
+  int iterations, products;
   double violation, residual;
   std::vector<double> history;
   Counts counts;
 };
 template <int d>
 SolveAnswer answer_of(const ContactSolution<d>& solution) {
-  return {solution.status,   solution.iterations, solution.complementarity,
-          solution.residual, solution.history,    counted(solution.state)};
+  return {solution.status,          solution.iterations, solution.products,
+          solution.complementarity, solution.residual,   solution.history,
+          counted(solution.state)};
 }
 
 /// violation=, status=, history=, opennodes=, sticknodes=, slipnodes=

@@ -10,8 +10,7 @@
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/elastic/factor/partial_cholesky.hpp"
-#include "ffcontact/equilibrium/energy/ridge_form.hpp"
-#include "ffcontact/equilibrium/energy/tiled_factor.hpp"
+#include "ffcontact/equilibrium/relaxation/facet_descent.hpp"
 #include "ffcontact/parallel/topology_part.hpp"
 #include "support/solids.hpp"
 
@@ -75,20 +74,6 @@ void count_factor(const OrderedGraph& graph, Counts& counts) {
   }
 }
 
-/// Bytes of forms, factors and unknowns of the relaxation.
-double bytes_of_relaxation(const Topology<3>& topology) {
-  double factors = 0;
-  for (int e = 0; e < topology.ridges.count(); ++e)
-    factors += static_cast<double>(
-        factor_size(unknowns_around<3>(topology.ridges, e)));
-  constexpr double form = 4 * FacetForms<3>::stored, images = 8 * 36,
-                   unknowns = 8 * 9 * 5,
-                   around_an_edge = 8 * 9 + sizeof(WrenchShift<3>);
-  return (form + images) * topology.mesh.cell_count() + 4 * factors +
-         unknowns * topology.facets.count() +
-         around_an_edge * static_cast<double>(topology.ridges.facet.size());
-}
-
 /// The halos of eight octants, a part of their tetrahedra.
 double halo_of_octants(const Topology<3>& topology) {
   const SolidMesh& mesh = topology.mesh;
@@ -113,7 +98,7 @@ Counts counts_of(int n) {
   Counts counts{};
   counts.dofs = 3.0 * topology.mesh.vertex_count();
   counts.cells = topology.mesh.cell_count();
-  counts.estimate = bytes_of_relaxation(topology);
+  counts.estimate = FacetDescent<3>::bytes(topology);
   counts.halo = halo_of_octants(topology);
   const OrderedGraph graph = ordered_graph(topology);
   counts.kept = 3.0 * graph.kept;

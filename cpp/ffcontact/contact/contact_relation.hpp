@@ -41,6 +41,9 @@ class ContactRelation {
     return std::nullopt;
   }
 
+  /// With the stiffness, so far, where systems are solved by them.
+  virtual int products() const { return 0; }
+
   /// law_scales
   /// @param v  at the nodes [d p]
   virtual LawScales scales(const VectorXd& v) const = 0;

@@ -30,7 +30,8 @@ struct ContactSolution {
   NodalVectors force;
   /// per node; of solids slip_forward for slip in any direction
   ContactStates state;
-  int iterations = 0;  ///< dense systems solved
+  int iterations = 0;  ///< linear systems of the law solved
+  int products = 0;  ///< with the stiffness, by GMRES with multigrid for these
   std::vector<double>
       /// relative change of lambda_n per step of the fixed point; empty where Newton was
       /// enough

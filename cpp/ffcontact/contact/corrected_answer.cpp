@@ -90,6 +90,7 @@ ContactSolution<d> CorrectedAnswer<d>::solution(
   for (ContactState state : condensed_.state)
     solution.state.push_back(answered(state));
   solution.iterations = condensed_.iterations;
+  solution.products = relation_->products();
   solution.history = history_;
   solution.complementarity = missed_.of_law;
   solution.residual =

@@ -59,6 +59,7 @@ class OfMultigrid : public ContactRelation, private NewtonRelation {
     return whole(answer_from(ContactRows{last.law.P, last.law.v}, limits));
   }
 
+  int products() const override { return step_.products(); }
   /// As law_scales.
   LawScales scales(const VectorXd& v) const override {
     return {std::max(max_norm(v), least_.v), least_.P};

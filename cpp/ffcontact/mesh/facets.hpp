@@ -19,8 +19,9 @@ struct Facets {
   Matrix2Xi cells;  ///< both sides; the second is -1 on the boundary
   Matrix<int, dim + 1, Dynamic>
       of_cell;  ///< facet opposite to each local vertex
-  Matrix<double, dim + 1, Dynamic> eta;  ///< +1 or -1, same layout as of_cell
-  VectorXi boundary_index;               ///< column of Mesh::boundary, or -1
+  Matrix<signed char, dim + 1, Dynamic>
+      eta;                  ///< +1 or -1, same layout as of_cell
+  VectorXi boundary_index;  ///< column of Mesh::boundary, or -1
 
   int count() const { return static_cast<int>(vertices.cols()); }
   bool on_boundary(int facet) const { return cells(1, facet) < 0; }

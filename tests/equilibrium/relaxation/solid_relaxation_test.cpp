@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <Eigen/LU>
 #include <set>
 
 #include "ffcontact/equilibrium/relaxation/facet_relaxation.hpp"
+#include "support/refusals.hpp"
 #include "support/relaxed_solid.hpp"
 #include "support/slivers.hpp"
 #include "support/smooth_solid.hpp"
@@ -38,6 +40,37 @@ RC_GTEST_PROP(SolidRelaxation, falls_by_what_the_energy_falls,
     sum += fall;
   }
   RC_ASSERT(std::abs(before - sum - solid.square()) < 1e-6 * before);
+}
+
+double allocated() {
+  const struct mallinfo2 heap = mallinfo2();
+  return static_cast<double>(heap.uordblks + heap.hblkhd);
+}
+
+TEST(SolidRelaxation, takes_as_much_memory_as_it_says) {
+  Random random(1);
+  const RelaxedSolid solid(
+      random_loaded_solid(brick({12, 12, 12}, {1, 1, 1}), random));
+  const LoadedFacets<3>& body = solid.setting.body;
+  const FacetShare whole = whole_share<3>(body.topology);
+  const NoExchange<3> none;
+  const double before = allocated();
+  const FacetDescent<3> descent(body, solid.moments, whole, none);
+  const double taken = allocated() - before;
+  if (taken == 0) GTEST_SKIP() << "a sanitizer's own memory";
+  const double said = FacetDescent<3>::bytes(body.topology);
+  EXPECT_GT(said, 0.9 * taken);
+  EXPECT_LT(said, 1.1 * taken);
+}
+
+TEST(SolidRelaxation, is_refused_where_there_is_no_room) {
+  const Topology<3> topology = topology_of(brick({2, 1, 1}, {2, 1, 1}));
+  const FacetTopology<3> facets = topology;
+  const double bytes = FacetDescent<3>::bytes(facets);
+  require_room_for_relaxation<3>(facets, bytes);
+  EXPECT_TRUE(says(
+      refusal([&] { require_room_for_relaxation<3>(facets, 0.99 * bytes); }),
+      "the estimate of 12 tetrahedra takes "));
 }
 
 /// By a sparse solve, the least energy that moments in equilibrium can have.

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/elastic/factor/scaled_stiffness.hpp"
 
-#include <unistd.h>
-
 #include <cmath>
 #include <type_traits>
 
 #include "ffcontact/base/flags.hpp"
+#include "ffcontact/base/memory.hpp"
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 
@@ -24,12 +23,6 @@ double inverse_root(const ElasticSystem& system, int dof) {
 void require_free(const ElasticSystem& system, int dof) {
   if (dof < 0 || dof >= system.dof_count() || system.prescribed[dof])
     refuse("kept dof ", dof, " is prescribed or does not exist");
-}
-
-/// [bytes]
-double memory_of_the_machine() {
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-         static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
 }  // namespace

@@ -51,6 +51,7 @@ BlockPattern vertex_pattern(const RowMatrix& K,
               pattern.column.end());
     pattern.first.push_back(count_of(pattern.column));
   }
+  pattern.column.shrink_to_fit();
   return pattern;
 }
 

@@ -112,6 +112,18 @@ RidgeStars<d>::RidgeStars(const FacetTopology<d>& topology,
 }
 
 template <int d>
+double RidgeStars<d>::bytes(const FacetTopology<d>& topology) {
+  const Ridges<d>& ridges = topology.ridges;
+  double numbers = 0;
+  for (int ridge = 0; ridge < ridges.count(); ++ridge)
+    numbers +=
+        static_cast<double>(factor_size(unknowns_around<d>(ridges, ridge)));
+  return sizeof(float) * numbers +
+         (sizeof(double) * Element::moments + sizeof(WrenchShift<d>)) * d *
+             static_cast<double>(topology.facets.count());
+}
+
+template <int d>
 void RidgeStars<d>::place_factors() {
   const auto unknowns = [&](int place) {
     return unknowns_around<d>(topology_.ridges, lines_.ridge[place]);

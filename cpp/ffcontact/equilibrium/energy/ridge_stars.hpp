@@ -34,6 +34,9 @@ class RidgeStars {
   RidgeStars(const FacetTopology<d>& topology, const FacetShare& share,
              const FacetTractions<d>& boundary, const FacetForms<d>& forms);
 
+  /// What those of a whole body take, nearly [bytes].
+  static double bytes(const FacetTopology<d>& topology);
+
   /// @param g  on the unknowns (w, y) of all facets [d^2 x facets]
   /// @param z  likewise, 0 on facets that are not of the share
   void operator()(const FacetColumns<d>& g, FacetColumns<d>& z);

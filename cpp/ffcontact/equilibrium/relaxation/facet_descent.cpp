@@ -41,6 +41,18 @@ FacetDescent<d>::FacetDescent(const LoadedFacets<d>& body,
 }
 
 template <int d>
+double FacetDescent<d>::bytes(const FacetTopology<d>& topology) {
+  constexpr int columns_of_facets = 5;
+  const double cells = topology.mesh.cell_count(),
+               facets = topology.facets.count();
+  return static_cast<double>(sizeof(typename FacetForms<d>::Stored)) *
+             FacetForms<d>::stored * cells +
+         RidgeStars<d>::bytes(topology) +
+         sizeof(double) * (Element::loads * cells +
+                           columns_of_facets * Element::moments * facets);
+}
+
+template <int d>
 double FacetDescent<d>::begin() {
   exchange_.complete(images_);
   gather(residual_);

@@ -33,6 +33,9 @@ class FacetDescent {
   FacetDescent(const LoadedFacets<d>& body, const FacetColumns<d>& moments,
                const FacetShare& share, const FacetExchange<d>& exchange);
 
+  /// What one of a whole body takes, nearly [bytes].
+  static double bytes(const FacetTopology<d>& topology);
+
   const FacetForms<d>& forms() const { return forms_; }
 
   /// @return e_0^2 [N mm]

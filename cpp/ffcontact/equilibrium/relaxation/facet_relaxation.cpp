@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/equilibrium/relaxation/facet_relaxation.hpp"
 
+#include "ffcontact/base/memory.hpp"
 #include "ffcontact/base/packed.hpp"
+#include "ffcontact/base/require.hpp"
 #include "ffcontact/equilibrium/cone/contact_pass.hpp"
 #include "ffcontact/equilibrium/relaxation/relaxation_progress.hpp"
 
@@ -93,11 +95,24 @@ std::vector<double> relax(FacetDescent<d>& descent,
 }
 
 template <int d>
+void require_room_for_relaxation(const FacetTopology<d>& topology,
+                                 double available) {
+  constexpr double gigabyte = 1e9;
+  if (const double needed = FacetDescent<d>::bytes(topology);
+      needed > available)
+    refuse("the estimate of ", topology.mesh.cell_count(), " ",
+           MeshWords<d>::cells, " takes ", needed / gigabyte,
+           " GB, more than is left of the memory (", available / gigabyte,
+           " GB): estimate on a coarser mesh, or on several processes");
+}
+
+template <int d>
 std::vector<double> relax_facets(const FacetSetting<d>& setting,
                                  const RelaxationSettings& settings,
                                  FacetColumns<d>& moments) {
   if (settings.steps == 0) return {};
   const FacetTopology<d>& topology = setting.body.topology;
+  require_room_for_relaxation<d>(topology, available_memory());
   const FacetShare whole = whole_share<d>(topology);
   const NoExchange<d> none;
   FacetDescent<d> descent(setting.body, moments, whole, none);
@@ -115,6 +130,8 @@ template std::vector<double> relax(FacetDescent<FFCONTACT_DIMENSION>&,
                                    ContactRelaxation<FFCONTACT_DIMENSION>&,
                                    const RelaxationSettings&,
                                    const ProgressReport&);
+template void require_room_for_relaxation(
+    const FacetTopology<FFCONTACT_DIMENSION>&, double);
 template std::vector<double> relax_facets(
     const FacetSetting<FFCONTACT_DIMENSION>&, const RelaxationSettings&,
     FacetColumns<FFCONTACT_DIMENSION>&);

@@ -24,9 +24,15 @@ std::vector<double> relax(FacetDescent<d>& descent,
                           const RelaxationSettings& settings,
                           const ProgressReport& report = {});
 
+/// @throws std::invalid_argument  if relax_facets takes more than that [bytes]
+template <int d>
+void require_room_for_relaxation(const FacetTopology<d>& topology,
+                                 double available);
+
 /// The same for all of a body. The result does not depend on the number of threads.
 /// @param moments  in equilibrium, relaxed in place, those on contact facets in the cone
 /// @return what e^2 fell by in every step [N mm, of plane bodies N/mm times mm]
+/// @throws std::invalid_argument  if there is no room for it
 template <int d>
 std::vector<double> relax_facets(const FacetSetting<d>& setting,
                                  const RelaxationSettings& settings,

@@ -11,10 +11,11 @@ FacetLoads<d> loads_of(const SimplexMesh<d>& mesh, const Facets<d>& facets,
   FacetLoads<d> loads;
   for (int k = 0; k <= d; ++k) {
     const int facet = facets.of_cell(k, cell);
+    const double eta = facets.eta(k, cell);
     for (int j = 0; j < d; ++j)
-      loads.col(d * k + j) = facets.eta(k, cell) *
-                             moments.col(facet).template segment<d>(
-                                 d * place_on_own<d>(mesh, facets, cell, k, j));
+      loads.col(d * k + j) =
+          eta * moments.col(facet).template segment<d>(
+                    d * place_on_own<d>(mesh, facets, cell, k, j));
   }
   return loads;
 }

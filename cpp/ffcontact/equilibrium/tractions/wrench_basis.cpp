@@ -124,7 +124,7 @@ WrenchShift<d> balancing_shift(const FacetTopology<d>& topology, int cell,
   const double size = size_of_facet<d>(other);
   return {(other.rowwise().mean() - given.rowwise().mean()) / size,
           size_of_facet<d>(given) / size,
-          -facets.eta(k, cell) * facets.eta(l, cell)};
+          -1.0 * facets.eta(k, cell) * facets.eta(l, cell)};
 }
 
 template <int d>
@@ -134,8 +134,9 @@ std::array<FacetMatrix<d>, d + 1> wrench_bases(const FacetTopology<d>& topology,
   std::array<FacetMatrix<d>, d + 1> bases;
   for (int k = 0; k <= d; ++k) {
     const int facet = facets.of_cell(k, cell);
+    const double eta = facets.eta(k, cell);
     const FacetMatrix<d> V =
-        facets.eta(k, cell) * wrench_basis<d>(topology.facet_corners(facet));
+        eta * wrench_basis<d>(topology.facet_corners(facet));
     for (int j = 0; j < d; ++j)
       bases[k].template middleRows<d>(d * j) = V.template middleRows<d>(
           d * place_on_own<d>(mesh, facets, cell, k, j));
