@@ -100,6 +100,7 @@ void Coarsening<dim, size>::find_product_row(const FineMatrix& A, int i,
                                              NodeList& place,
                                              BlockOfP* row) const {
   number_columns(AP_, i, 0, place);
+  std::fill(row, row + AP_.end(i) - AP_.begin(i), BlockOfP::Zero());
   for (int k = A.pattern.begin(i); k < A.pattern.end(i); ++k) {
     const int j = A.pattern.column[k];
     for (int l = P_.pattern.begin(j); l < P_.pattern.end(j); ++l)
@@ -108,11 +109,10 @@ void Coarsening<dim, size>::find_product_row(const FineMatrix& A, int i,
 }
 
 /// A_IJ = sum P_iI' (A P)_iJ, by rows.
-/// @param products  rows of A P, and where each one begins
 template <int dim, int size>
-void Coarsening<dim, size>::find_coarse_row(
-    int I, NodeList& place, const std::vector<BlockOfP>& products,
-    const NodeList& first, CoarseMatrix& coarse) const {
+void Coarsening<dim, size>::find_coarse_row(int I, NodeList& place,
+                                            const ProductRows& AP,
+                                            CoarseMatrix& coarse) const {
   const BlockPattern &row = coarse.pattern, &R = transposed_P_.pattern;
   number_columns(row, I, row.begin(I), place);
   for (int k = row.begin(I); k < row.end(I); ++k) coarse.value[k].setZero();
@@ -122,7 +122,7 @@ void Coarsening<dim, size>::find_coarse_row(
         P_.value[transposed_P_.place[k]].transpose();
     for (int l = AP_.begin(i); l < AP_.end(i); ++l)
       coarse.value[place[AP_.column[l]]].noalias() +=
-          R_Ii * products[first[i] + l - AP_.begin(i)];
+          R_Ii * AP.value[AP.first[i] + l - AP_.begin(i)];
   }
 }
 
@@ -137,24 +137,24 @@ NodeList Coarsening<dim, size>::nodes_beside(const NodeList& aggregates) const {
 template <int dim, int size>
 void Coarsening<dim, size>::find_coarse_rows(const FineMatrix& A,
                                              const NodeList& aggregates,
+                                             ProductRows& AP,
                                              CoarseMatrix& coarse) const {
   const NodeList needed = nodes_beside(aggregates);
-  NodeList first(node_count(), -1);
   int blocks = 0;
   for (int i : needed) {
-    first[i] = blocks;
+    AP.first[i] = blocks;
     blocks += AP_.end(i) - AP_.begin(i);
   }
-  std::vector<BlockOfP> AP(blocks, BlockOfP::Zero());
+  if (blocks > count_of(AP.value)) AP.value.resize(blocks);
 #pragma omp parallel
   {
     NodeList place(aggregate_count(), -1);
 #pragma omp for
     for (int n = 0; n < count_of(needed); ++n)
-      find_product_row(A, needed[n], place, &AP[first[needed[n]]]);
+      find_product_row(A, needed[n], place, &AP.value[AP.first[needed[n]]]);
 #pragma omp for
     for (int n = 0; n < count_of(aggregates); ++n)
-      find_coarse_row(aggregates[n], place, AP, first, coarse);
+      find_coarse_row(aggregates[n], place, AP, coarse);
   }
 }
 
@@ -223,26 +223,32 @@ ChangedNodes Coarsening<dim, size>::follow(const Fine& fine,
   result.rows = aggregates_beside(with_neighbours(A, moved));
   // a few at a time: A P has as many numbers as A
   constexpr int at_once = 2048;
+  ProductRows AP{NodeList(node_count()), {}};
   const auto end = result.rows.end();
   for (auto next = result.rows.begin(); next != end;) {
     const auto begin = std::exchange(
         next, next + std::min<std::ptrdiff_t>(at_once, end - next));
-    find_coarse_rows(fine.grid().A, NodeList(begin, next), coarse.A);
+    find_coarse_rows(fine.grid().A, NodeList(begin, next), AP, coarse.A);
   }
   return result;
 }
 
 template <int dim, int size>
 VectorXf Coarsening<dim, size>::restricted(const VectorXf& residual) const {
+  constexpr int ahead = 16;
   const BlockPattern& R = transposed_P_.pattern;
   VectorXf result =
       VectorXf::Zero(static_cast<Index>(coarse_size) * aggregate_count());
 #pragma omp parallel for
   for (int I = 0; I < aggregate_count(); ++I) {
     auto sum = block_of<coarse_size>(result, I);
-    for (int k = R.begin(I); k < R.end(I); ++k)
+    for (int k = R.begin(I); k < R.end(I); ++k) {
+      // these come from all over P
+      if (k + ahead < R.end(I))
+        __builtin_prefetch(&P_.value[transposed_P_.place[k + ahead]]);
       sum += P_.value[transposed_P_.place[k]].transpose() *
              block_of<size>(residual, R.column[k]);
+    }
   }
   return result;
 }

@@ -41,6 +41,11 @@ class Coarsening {
   using BlockOfP = SingleBlock<size, coarse_size>;
   using FineMatrix = BlockRows<size, size>;
   using CoarseMatrix = BlockRows<coarse_size, coarse_size>;
+  /// Some rows of A P, and where they begin.
+  struct ProductRows {
+    NodeList first;
+    std::vector<BlockOfP> value;
+  };
 
   int node_count() const { return P_.rows(); }
   int aggregate_count() const { return aggregates_.count(); }
@@ -51,11 +56,10 @@ class Coarsening {
   void find_prolongation_row(const Fine& fine, int i, NodeList& place);
   void find_product_row(const FineMatrix& A, int i, NodeList& place,
                         BlockOfP* row) const;
-  void find_coarse_row(int I, NodeList& place,
-                       const std::vector<BlockOfP>& products,
-                       const NodeList& first, CoarseMatrix& coarse) const;
+  void find_coarse_row(int I, NodeList& place, const ProductRows& AP,
+                       CoarseMatrix& coarse) const;
   void find_coarse_rows(const FineMatrix& A, const NodeList& aggregates,
-                        CoarseMatrix& coarse) const;
+                        ProductRows& AP, CoarseMatrix& coarse) const;
   NodeList aggregates_of(const NodeList& nodes) const;
   NodeList aggregates_beside(const NodeList& nodes) const;
   NodeList nodes_beside(const NodeList& aggregates) const;
