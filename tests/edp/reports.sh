@@ -140,6 +140,12 @@ expect("contacterror: mu kappa " + 0.1*kappa + ", delta *, bound " + bound + ", 
 expect("contacterror: elastic part " + elastic + ", contact part of e^2 " + part + ", that of springs 0, equilibrium defect " + balance
   + ", cone defect " + cone + ", penetration " + penetration);
 
+S = contact(T1, T2, label1=5, label2=6, friction=0.1);
+steps = contactsolve(S, A1, b1, u1[], A2, b2, u2[], solver="multigrid", violation=violation, verbosity=level);
+expect("contactsolve: " + (V1.ndof + V2.ndof) + " dofs, 20 contact nodes on side " + S.side[0] + ", " + steps + " iterations of * products, "
+  + open + " open, " + stick + " stick, " + slip + " slip, converged, * s");
+expect("contactsolve: violation " + violation + ", residual *");
+
 {
   ofstream geo("reports.geo");
   geo << "SetFactory(\"OpenCASCADE\"); Rectangle(1) = {0, 0, 0, 1, 1};" << endl;

@@ -222,7 +222,7 @@ ChangedNodes Coarsening<dim, size>::follow(const Fine& fine,
   find_prolongation(fine, moved);
   result.rows = aggregates_beside(with_neighbours(A, moved));
   // a few at a time: A P has as many numbers as A
-  constexpr int at_once = 2048;
+  constexpr int at_once = 512;
   ProductRows AP{NodeList(node_count()), {}};
   const auto end = result.rows.end();
   for (auto next = result.rows.begin(); next != end;) {
