@@ -68,23 +68,27 @@ void put_motions(const Facets<3>& faces, const ContactSurface& surface,
   }
 }
 
+/// At all nodes.
+struct Cones {
+  std::vector<FrictionCone> of_tractions, paid;
+};
+
 /// The frames, cones and parts of a face.
 ContactFacet<3> facing_face(const SolidMesh& mesh, const Facets<3>& faces,
                             const ContactSurface& surface,
-                            const ContactLaw<3>& law, int m,
+                            const ContactLaw<3>& law, const Cones& cones, int m,
                             const std::vector<TractionPart>& parts) {
   ContactFacet<3> face;
   face.facet = surface.face[m];
   face.index = m;
   face.opposite_corner.setZero();
   face.measure = facet_measure(mesh, faces, face.facet);
-  const std::vector<FrictionCone> cones = traction_cones(law),
-                                  paid = law_cones(law);
   for (int i = 0; i < 3; ++i) {
     const int node = surface.face_node(i, m);
     face.frame[i] = surface.frame(node);
-    face.cone[i] = cones[node];
-    if (!law.is_bonded(node)) face.paid[i] = paid_cone(surface, m, paid[node]);
+    face.cone[i] = cones.of_tractions[node];
+    if (!law.is_bonded(node))
+      face.paid[i] = paid_cone(surface, m, cones.paid[node]);
   }
   const DensityOfCorners density = density_by_corners(face);
   for (const TractionPart& part : parts) {
@@ -116,6 +120,7 @@ std::vector<ContactFacet<3>> facing_faces(
   const std::vector<MatchingFace> matches =
       matching_faces(mesh, faces, surface);
   const FacePolygons of(mesh, faces, surface);
+  const Cones cones{traction_cones(law), law_cones(law)};
   const double least = least_motion * largest_displacement(law, displacement),
                rounding = rounding_of_slip(law, displacement);
   for (int m = 0; m < surface.face_count(); ++m) {
@@ -123,7 +128,7 @@ std::vector<ContactFacet<3>> facing_faces(
         !of.cover(m))
       continue;
     ContactFacet<3> face =
-        facing_face(mesh, faces, surface, law, m, of.parts[m]);
+        facing_face(mesh, faces, surface, law, cones, m, of.parts[m]);
     face.work.setZero();
     face.slip.setZero();
     face.direction.setZero();
