@@ -10,6 +10,7 @@
 #include "ffcontact/contact/checks/balance.hpp"
 #include "ffcontact/contact/checks/line_balance.hpp"
 #include "ffcontact/contact/condensed_answer.hpp"
+#include "ffcontact/contact/far_gaps.hpp"
 #include "ffcontact/contact/law/cones_of_law.hpp"
 #include "ffcontact/contact/law/held_rows.hpp"
 #include "ffcontact/contact/solve_contact.hpp"
@@ -155,19 +156,6 @@ ToolSolution solution_with_tool(const Mesh& mesh, const ContactLine& line,
   solution.status = judged_status(solution.status, solution.complementarity,
                                   solution.residual, settings.tolerance);
   return result;
-}
-
-/// Gaps of at most this.
-ContactLaw<2> with_gaps_up_to(ContactLaw<2> law, double most) {
-  law.gap = law.gap.cwiseMin(most);
-  return law;
-}
-
-/// Every node on which a gap was cut is open.
-bool are_open(const ContactStates& state, const VectorXd& gap, double most) {
-  for (Index i = 0; i < gap.size(); ++i)
-    if (gap[i] > most && state[i] != ContactState::open) return false;
-  return true;
 }
 
 /// What bodies and tool move by at most.

@@ -5,19 +5,19 @@
 #include "ffcontact/contact/checks/unheld_bodies.hpp"
 #include "ffcontact/contact/condensed_answer.hpp"
 #include "ffcontact/contact/corrected_answer.hpp"
+#include "ffcontact/contact/far_gaps.hpp"
 #include "ffcontact/contact/law/nodal_pressures.hpp"
 #include "ffcontact/contact/line_relation.hpp"
 #include "ffcontact/contact/solve_contact.hpp"
 
 namespace ffcontact {
 
-ContactSolution<2> solve_contact(const Mesh& mesh, const ContactLine& line,
-                                 const ContactLaw<2>& law,
-                                 const ElasticSystem& system,
-                                 const ContactSettings& settings) {
-  require_valid(mesh, line, law, system, settings);
-  require_feasible(mesh, line, law, system);
-  require_balance(mesh, line, law, system);
+namespace {
+
+ContactSolution<2> solution_on_line(const Mesh& mesh, const ContactLine& line,
+                                    const ContactLaw<2>& law,
+                                    const ElasticSystem& system,
+                                    const ContactSettings& settings) {
   const StatedContact<2> stated = stated_on_line(line, law, system, settings);
   const auto stiffness =
       prepared_stiffness(contact_dofs(line, system), system, settings);
@@ -36,6 +36,22 @@ ContactSolution<2> solve_contact(const Mesh& mesh, const ContactLine& line,
   solution.stiffness = stiffness;
   solution.contact = contact;
   return solution;
+}
+
+}  // namespace
+
+ContactSolution<2> solve_contact(const Mesh& mesh, const ContactLine& line,
+                                 const ContactLaw<2>& law,
+                                 const ElasticSystem& system,
+                                 const ContactSettings& settings) {
+  require_valid(mesh, line, law, system, settings);
+  require_feasible(mesh, line, law, system);
+  require_balance(mesh, line, law, system);
+  return solved_with_far_gaps<2>(
+      law, settings,
+      [&](const ContactLaw<2>& near, const ContactSettings& with) {
+        return solution_on_line(mesh, line, near, system, with);
+      });
 }
 
 }  // namespace ffcontact

@@ -8,6 +8,7 @@
 #include "ffcontact/contact/checks/unheld_bodies.hpp"
 #include "ffcontact/contact/condensed_answer.hpp"
 #include "ffcontact/contact/corrected_answer.hpp"
+#include "ffcontact/contact/far_gaps.hpp"
 #include "ffcontact/contact/multigrid/surface_unknowns.hpp"
 #include "ffcontact/contact/multigrid_relation.hpp"
 #include "ffcontact/contact/solve_contact.hpp"
@@ -101,15 +102,11 @@ ContactSolution<3> factored_solution(const SolidMesh& mesh,
   });
 }
 
-}  // namespace
-
-ContactSolution<3> solve_contact(const SolidMesh& mesh,
-                                 const ContactSurface& surface,
-                                 const ContactLaw<3>& law,
-                                 const ElasticSystem& system,
-                                 const ContactSettings& settings) {
-  require_valid(mesh, surface, law, system, settings);
-  require_balance(mesh, surface, law, system);
+ContactSolution<3> solution_on_surface(const SolidMesh& mesh,
+                                       const ContactSurface& surface,
+                                       const ContactLaw<3>& law,
+                                       const ElasticSystem& system,
+                                       const ContactSettings& settings) {
   SurfaceTrace trace = surface_trace(surface, law, system);
   trace.trace.free_motions =
       unheld_motions(mesh, system)(trace.trace.kept_dofs, Eigen::all);
@@ -122,6 +119,22 @@ ContactSolution<3> solve_contact(const SolidMesh& mesh,
   ContactSolution<3> solution = factored_solution(mesh, stated);
   solution.multigrid = Multigrid::in_vain;
   return solution;
+}
+
+}  // namespace
+
+ContactSolution<3> solve_contact(const SolidMesh& mesh,
+                                 const ContactSurface& surface,
+                                 const ContactLaw<3>& law,
+                                 const ElasticSystem& system,
+                                 const ContactSettings& settings) {
+  require_valid(mesh, surface, law, system, settings);
+  require_balance(mesh, surface, law, system);
+  return solved_with_far_gaps<3>(
+      law, settings,
+      [&](const ContactLaw<3>& near, const ContactSettings& with) {
+        return solution_on_surface(mesh, surface, near, system, with);
+      });
 }
 
 }  // namespace ffcontact
