@@ -3,12 +3,16 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/base/words.hpp"
+#include "ffcontact/elastic/elastic_system.hpp"
 #include "ffcontact/estimate/bodies/solved_body.hpp"
 //
 #include "estimate/contact_error.hpp"
 #include "estimate/estimate_outputs.hpp"
+#include "estimate/linear_tractions.hpp"
 #include "freefem/stopwatch.hpp"
 #include "problem/coulomb.hpp"
 
@@ -77,6 +81,50 @@ void report_bound(const CoulombBound& bound, StuckNodes stuck) {
   cout << ", bound " << bound.value << ", " << stuck_in_words(stuck) << endl;
 }
 
+/// The labelled facet with a free dof where tractions have most beyond linear functions, or
+/// -1.
+template <int d>
+int most_bent(const Bodies<d>& bodies, const ElasticSystem& system,
+              const VectorXd& bend) {
+  int most = -1;
+  const auto& boundary = bodies.joined.mesh.boundary;
+  for (int f = 0; f < bend.size(); ++f) {
+    if (bend[f] <= (most < 0 ? linear_to : bend[most])) continue;
+    const auto vertices = boundary.col(f);
+    const std::vector<int> of_facet(vertices.begin(), vertices.end());
+    if (!free_dofs_at(of_facet, system).empty()) most = f;
+  }
+  return most;
+}
+
+/// What tractions have beyond what is judged exactly: e is no bound of that. Beyond a
+/// twentieth of the largest one it is said at any verbosity.
+template <int d>
+void report_bend(Stack stack, const NamedArguments& named,
+                 const Bodies<d>& bodies, const ElasticSystem& system,
+                 const VectorXd& bend) {
+  constexpr double much = 0.05;
+  const int most = most_bent<d>(bodies, system, bend);
+  if (most < 0 || mpirank != 0 ||
+      (bend[most] <= much && named.verbosity_level(stack) < 1))
+    return;
+  const SimplexMesh<d>& mesh = bodies.joined.mesh;
+  cout << "contacterror: traction= is not linear on the "
+       << a_facet<d> << " at "
+       << in_words(
+              facet_points<d>(mesh, mesh.boundary.col(most)).rowwise().mean())
+       << ", by " << 100 * bend[most]
+       << " % of its largest value: e is no bound of what this does" << endl;
+}
+
+inline void report_varying_force(double oscillation,
+                                 const Ref<const MatrixXd>& loads) {
+  if (oscillation > linear_to * loads.cwiseAbs().sum())
+    cout << "contacterror: bodyforce= varies within cells: e is no bound of "
+            "what this does, oscillation= measures it"
+         << endl;
+}
+
 template <int d>
 JudgedError<d> contact_error(Stack stack, const NamedArguments& named,
                              const ContactProblem<d>& problem,
@@ -106,9 +154,11 @@ JudgedError<d> contact_error(Stack stack, const NamedArguments& named,
   if (named.verbosity_level(stack) >= 1 && mpirank == 0) {
     ErrorOf<d>::report(estimate, seconds);
     report_oscillation(estimate);
+    report_varying_force(oscillation.force, judged.body.body_loads);
     if (bound) report_bound<d>(*bound, stuck);
     if (named.verbosity_level(stack) > 1) report_parts(estimate);
   }
+  report_bend<d>(stack, named, problem, *judged.system, oscillation.bend);
   report_reason(stack, named, estimate);
   return {std::move(estimate), std::move(judged.body)};
 }

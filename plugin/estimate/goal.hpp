@@ -11,57 +11,20 @@
 #include "ffcontact/linear/norms.hpp"
 //
 #include "estimate/goal_force.hpp"
+#include "estimate/linear_tractions.hpp"
 #include "estimate/material_and_loads.hpp"
 
 namespace ffcontact::plugin {
-
-/// Beside the largest value: more is not rounding.
-constexpr double linear_to = 1e-9;
-
-/// In the words of messages.
-template <int d>
-constexpr const char* a_cell = d == 2 ? "triangle" : "tetrahedron";
-template <int d>
-constexpr const char* cells = d == 2 ? "triangles" : "tetrahedra";
-template <int d>
-constexpr const char* a_facet = d == 2 ? "edge" : "face";
-template <int d>
-constexpr const char* facets = d == 2 ? "edges" : "faces";
-
-/// Places on a facet that no odd or even function passes; the first d are near its vertices.
-template <int d>
-Matrix<double, d, Dynamic> places_of_a_facet() {
-  Matrix<double, d, Dynamic> hats;
-  if constexpr (d == 2) {
-    hats.resize(2, 7);
-    hats.row(1) << 1e-3, 1 - 1e-3, 0.113, 0.31, 0.5, 0.74, 0.887;
-    hats.row(0) = 1 - hats.row(1).array();
-  } else {
-    const std::vector<Vector3d> places = {{1 - 2e-3, 1e-3, 1e-3},
-                                          {0.74, 0.15, 0.11},
-                                          {0.577, 0.31, 0.113},
-                                          {0.31, 0.577, 0.113}};
-    hats.resize(3, 12);
-    for (int q = 0; q < 12; ++q)
-      for (int k = 0; k < 3; ++k) hats((k + q) % 3, q) = places[q / 3][k];
-  }
-  return hats;
-}
 
 /// @throws std::invalid_argument  if w is off the linear function through its values near the
 ///                                vertices of a boundary element by more than rounding
 template <int d>
 void require_linear(Stack stack, const std::string& name, Expression w,
                     const BodyPart<d>& part) {
-  const Matrix<double, d, Dynamic> hats = places_of_a_facet<d>();
-  const MatrixXd values = along_boundary<d>(stack, w, part, hats);
-  const MatrixOf<d> first = hats.template leftCols<d>().transpose();
-  const MatrixXd linear =
-      hats.transpose() * first.inverse() * values.topRows(d);
-  Index point = 0, worst = 0;
-  if (values.cols() == 0 ||
-      (values - linear).cwiseAbs().maxCoeff(&point, &worst) <=
-          linear_to * max_norm(values))
+  const Bends bends = bends_of<d>(stack, w, part);
+  Index worst = 0;
+  if (bends.off.size() == 0 ||
+      bends.off.maxCoeff(&worst) <= linear_to * bends.largest)
     return;
   const auto vertices = part.mesh.boundary.col(part.first_boundary + worst);
   refuse(name, "= is not linear on the ", a_facet<d>, " at ",
@@ -151,6 +114,11 @@ Quantity<d> read_goal(Stack stack, const NamedArguments& named,
     stress.middleCols(first, loads.cols()) =
         goal_stress<d>(stack, reader, {own, own + loads.cols()});
   }
+  if (stress.isZero(0) && goal.body_loads.isZero(0) &&
+      goal.tractions.isZero(0) && !named.given_of_bodies("goalforce"))
+    refuse(
+        "goaltraction=, goalbodyforce= and goalstress= are 0 everywhere: mind "
+        "that (label == 4)/40 divides integers, and (label == 4)/40. does not");
   if (!stress.isZero(0)) goal.stress = LinearStresses<d>::of_values(stress);
   weight.add_to(goal);
   return goal;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <string>
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/estimate/bodies/solved_body.hpp"
 //
 #include "estimate/initial_stress.hpp"
+#include "estimate/linear_tractions.hpp"
 #include "estimate/oscillation.hpp"
 #include "estimate/springs.hpp"
 #include "problem/bodies.hpp"
@@ -53,6 +55,18 @@ class BodyReader {
 
   FacetColumns<d> tractions(const char* parameter) const {
     return traction_moments<d>(stack_, list(parameter), part_);
+  }
+  /// What they have beyond linear functions, over the largest [boundary].
+  VectorXd bends(const char* parameter) const {
+    VectorXd off = VectorXd::Zero(part_.boundary_count());
+    double largest = 0;
+    for (Expression w : list(parameter)) {
+      if (!w) continue;
+      const Bends bends = bends_of<d>(stack_, w, part_);
+      off = off.cwiseMax(bends.off);
+      largest = std::max(largest, bends.largest);
+    }
+    return largest > 0 ? VectorXd(off / largest) : off;
   }
   BodyForce<d> force(const char* parameter) const {
     return body_force_loads<d>(stack_, list(parameter), part_);
@@ -104,6 +118,7 @@ Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
   if (body.body_loads.cols() == 0)
     body.body_loads.setZero(d * (d + 1), joined.first_cell.back());
   Oscillation all;
+  all.bend.setZero(joined.first_boundary.back());
   InitialStresses<d> initial(joined.first_cell.back());
   Springs<d> springs(joined.first_boundary.back());
   for (int k = 0; k < bodies.body_count(); ++k) {
@@ -113,6 +128,8 @@ Oscillation read_material_and_loads(Stack stack, const NamedArguments& named,
     const FacetColumns<d> tractions = reader.tractions("traction");
     body.neumann.middleCols(joined.first_boundary[k], tractions.cols()) =
         tractions;
+    all.bend.segment(joined.first_boundary[k], tractions.cols()) =
+        reader.bends("traction");
     const BodyForce<d> force = reader.force("bodyforce");
     body.body_loads.middleCols(joined.first_cell[k], force.loads.cols()) +=
         force.loads;

@@ -19,6 +19,17 @@ const NamedArguments::Table sizes_of_bodies = {{"rate", &typeid(KN<double>*)},
                                                {"size", &typeid(KN<double>*)},
                                                {"ratio", &typeid(KN<double>*)}};
 
+/// @throws std::invalid_argument  if eps is 0 where contacterror has not found that
+template <int d>
+void require_filled(const ContactOf<d>& contact, const VectorXd& eps) {
+  if (!eps.isZero(0)) return;
+  const auto& solved = contact.solved;
+  if (!solved || !solved->estimate || solved->estimate->relative > 0)
+    refuse(
+        "eps is 0 everywhere: give the array that contacterror(C, ..., eps=) "
+        "has filled");
+}
+
 /// predicted cells = optimalsize(C, eps, target=, size=, ...), with eps of each body:
 /// one wanted error and one Lambda for all of them.
 class OptimalSizeFunction : public E_F0mps {
@@ -117,6 +128,9 @@ class OptimalSizeFunction : public E_F0mps {
   double run(Stack stack, const Contact& contact,
              const std::vector<VectorXd>& arrays) const {
     const SizeSettings bounds = settings(stack);
+    if (!contact.shared)
+      contact.problem ? require_filled<2>(contact, arrays[0])
+                      : require_filled(*contact.solid, arrays[0]);
     if (const ContactProblem<2>* plane = contact.problem.get())
       return answer(stack, plane->joined,
                     optimal_size(plane->mesh, plane->facets.vertices, arrays[0],

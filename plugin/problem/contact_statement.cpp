@@ -106,12 +106,16 @@ VectorXd stated_previous(Stack stack, const NamedArguments& named,
                          const BodyDofs& bodies) {
   VectorXd previous = VectorXd::Zero(bodies.dof_count());
   bool any = false;
+  if (!named.given_of_bodies("previous")) return {};
   for (int k = 0; k < bodies.body_count(); ++k) {
     const std::string name = name_of_body("previous", k, bodies.body_count());
     const Expression expression = named.expression(name);
-    KN<double>* u =
-        expression ? value_of<KN<double>*>(stack, expression) : nullptr;
-    if (!u || u->N() == 0) continue;
+    if (!expression)
+      refuse(name,
+             "= is missing: give the displacement of the load step "
+             "before of every body, or of none");
+    KN<double>* u = value_of<KN<double>*>(stack, expression);
+    if (u->N() == 0) continue;
     bodies.require_dofs(name.c_str(), k, u->N());
     previous.segment(bodies.first_dof(k), bodies.dof_count(k)) = vector_of(u);
     any = true;

@@ -276,6 +276,27 @@ expect("contact: label 5 of mesh 1" + smooth + "normals and its gap");
 contact S4(P, F, label1=5, label2=6, friction=0.1);
 verbosity = 0;
 
+// Loads that are not linear on an edge of a free side are spoken of even at verbosity 0, if much is missing
+mesh Tb = square(4, 4);
+fespace Vb(Tb, [P1, P1]);
+func real pull(real bent) { return 1 + bent*sin(4*pi*y)^2; }
+func int judged(real bent) {
+  varf body([u, v], [r, s]) = int2d(Tb)(dx(u)*dx(r) + dy(v)*dy(s) + 0.5*(dy(u) + dx(v))*(dy(r) + dx(s)))
+      + int1d(Tb, 4)(pull(bent)*r) + on(3, u=0, v=-0.01);
+  matrix A = body(Vb, Vb);
+  real[int] b = body(0, Vb);
+  Vb [u, v];
+  contact C(Tb, label=1, friction=0);
+  contactsolve(C, A, b, u[]);
+  contacterror(C, lambda=0, G=0.5, traction=[(label > 2)*pull(bent), 0]);
+  return 0;
+}
+judged(1e-3);
+expect("bent: nothing is said");
+cout << "bent: nothing is said" << endl;
+expect("contacterror: traction= is not linear on the edge at (0, *% of its largest value: e is no bound of what this does");
+judged(1);
+
 // Cells that lock: once in a run, of triangles and of tetrahedra; not where quadrangles are cut by both diagonals, and not at nu 0.48
 real G = 1;
 func int solved(mesh & T, real nu) {

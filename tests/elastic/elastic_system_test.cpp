@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "ffcontact/elastic/factor/condensed_stiffness.hpp"
 #include "ffcontact/elastic/stiffness.hpp"
@@ -241,6 +242,39 @@ TEST(ElasticSystem, refuses_a_matrix_that_is_not_symmetric_on_the_free_dofs) {
   Assembled system = pulled_square(1e30, 0);
   system.A.coeffRef(4, 5) += 1e-3 * system.A.coeff(4, 4);
   EXPECT_EQ(refusal_of(system), "A is not symmetric on the free dofs");
+}
+
+TEST(ElasticSystem, refuses_a_negative_diagonal_of_a_free_dof) {
+  Assembled turned = pulled_square(1e30, 0.1);
+  turned.A *= -1;
+  EXPECT_TRUE(
+      says(refusal([&] { elastic_system(turned.A, turned.b); }),
+           ": no body has a negative stiffness, mind the signs of the varf"));
+}
+
+TEST(ElasticSystem, refuses_what_was_assembled_with_different_tgv) {
+  const double extent = 4;
+  const auto judged = [&](const RowMatrix& A, const VectorXd& b) {
+    return refusal([&] { require_same_tgv(elastic_system(A, b), extent); });
+  };
+  const Assembled penalised = pulled_square(1e30, 0.1),
+                  emptied = pulled_square(-1, 0.1);
+  EXPECT_EQ(judged(penalised.A, penalised.b), "accepted");
+  EXPECT_EQ(judged(emptied.A, emptied.b), "accepted");
+  for (const auto& [A, b] :
+       {std::pair(penalised.A, emptied.b), std::pair(emptied.A, penalised.b)})
+    EXPECT_TRUE(says(judged(A, b), "assemble A and b with the same tgv"));
+  const Assembled still = pulled_square(1e30, 0);
+  EXPECT_EQ(judged(still.A, still.b), "accepted");
+}
+
+TEST(ElasticSystem, refuses_loads_of_a_dof_that_b_alone_prescribes) {
+  Problem problem = body(rectangle(3, 3, 3, 3), material(100, 0.3));
+  VectorXd b = problem.b;
+  b[0] = 1e27;
+  const ElasticSystem system = elastic_system(problem.A, b);
+  EXPECT_TRUE(says(refusal([&] { require_same_tgv(system, 4); }),
+                   "b is 1e+27 at dof 0, which A does not prescribe"));
 }
 
 TEST(ElasticSystem, refuses_sizes_that_do_not_fit) {

@@ -53,6 +53,7 @@ void require_valid(const SimplexMesh<d>& mesh, const LineOrSurface<d>& contact,
                    const ContactSettings& settings) {
   require_valid(law, contact);
   require_size("A", system.dof_count(), d * mesh.vertices.cols());
+  require_same_tgv(system, extent_of(mesh));
   require_valid(settings, contact.node_count());
 }
 

@@ -9,6 +9,7 @@
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/elastic/dofs.hpp"
+#include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
 
@@ -24,6 +25,14 @@ void require_finite_entries(const RowMatrixView& A) {
       refuse("A(", entry.row(), ",", entry.col(), ") is ", entry.value(),
              ", not finite");
   });
+}
+
+void require_no_negative_diagonal(const RowMatrixView& A,
+                                  const Flags& prescribed) {
+  for (Index dof = 0; dof < A.rows(); ++dof)
+    if (!prescribed[dof] && A.coeff(dof, dof) < 0)
+      refuse("A(", dof, ",", dof, ") is ", A.coeff(dof, dof),
+             ": no body has a negative stiffness, mind the signs of the varf");
 }
 
 /// A fixed vector without structure, zero on prescribed dofs.
@@ -120,6 +129,7 @@ ElasticSystem elastic_system(MovableMatrix matrix, const Ref<const VectorXd>& b,
       std::move(matrix), b, {}, VectorXd::Zero(b.size()), dimension};
   const RowMatrix& A = system.stiffness;
   system.prescribed = prescribed_dofs(A);
+  require_no_negative_diagonal(A, system.prescribed);
   require_symmetric(A, system.prescribed);
   read_prescribed_values(A, b, system);
   if (!system.prescribed_value.isZero(0)) {
@@ -128,6 +138,21 @@ ElasticSystem elastic_system(MovableMatrix matrix, const Ref<const VectorXd>& b,
   }
   system.load = on_free_dofs(system, std::move(system.load));
   return system;
+}
+
+void require_same_tgv(const ElasticSystem& system, double extent) {
+  constexpr double far = 1e15, near = 1e-26;  // tgv is 1e30
+  const double value = max_norm(system.prescribed_value);
+  if (value > far * extent || (value > 0 && value < near * extent))
+    refuse("the largest prescribed displacement is ", value,
+           " on a mesh of size ", extent,
+           ": assemble A and b with the same tgv");
+  for (Index dof = 0; dof < system.load.size(); ++dof)
+    if (std::abs(system.load[dof]) >
+        far * extent * system.stiffness.coeff(dof, dof))
+      refuse("b is ", system.load[dof], " at dof ", dof,
+             ", which A does not prescribe: assemble A and b with the same "
+             "on() and tgv");
 }
 
 VectorXd on_free_dofs(const ElasticSystem& system, VectorXd forces) {

@@ -29,11 +29,17 @@ struct ElasticSystem {
 /// @param dimension  2 or 3, of the body
 /// @throws std::invalid_argument  if sizes differ or are no multiple of the dimension, a
 ///                                value of A or b is not finite, A is not symmetric on
-///                                the free dofs, a prescribed value is not zero where the
+///                                the free dofs or has a negative diagonal, a prescribed value is not zero where the
 ///                                columns of A are gone (tgv = -2), or such a matrix was
 ///                                scaled and has free dofs without free neighbours
 ElasticSystem elastic_system(MovableMatrix A, const Ref<const VectorXd>& b,
                              int dimension = 2);
+
+/// Refuses what only A and b with different tgv have: prescribed displacements beyond all
+/// proportion to the mesh, or loads that move it so far.
+/// @param extent  of the mesh [mm]
+/// @throws std::invalid_argument  if they are
+void require_same_tgv(const ElasticSystem& system, double extent);
 
 /// Forces on all dofs, 0 on the prescribed ones.
 VectorXd on_free_dofs(const ElasticSystem& system, VectorXd forces);

@@ -96,6 +96,14 @@ VectorOf<dim> centroid_of(const SimplexMesh<dim>& mesh, int cell) {
   return corners_of(mesh, cell).rowwise().mean();
 }
 
+/// Diagonal of the box around the mesh [mm].
+template <int dim>
+double extent_of(const SimplexMesh<dim>& mesh) {
+  return (mesh.vertices.rowwise().maxCoeff() -
+          mesh.vertices.rowwise().minCoeff())
+      .norm();
+}
+
 /// Length [mm] or area [mm^2] of a labelled facet, a column of `boundary`.
 template <int dim>
 double boundary_measure(const SimplexMesh<dim>& mesh, Index column);
