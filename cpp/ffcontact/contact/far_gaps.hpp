@@ -29,7 +29,8 @@ inline bool are_open(const ContactStates& state, const VectorXd& gap,
 /// small beside the displacements, as where a script means "never" by 1e30. Gaps above 1e6
 /// times the largest displacement are cut to 1e3 times it, and the problem is solved again:
 /// where these nodes are open it is the same problem. As displacements may have been
-/// wrong this is done until gaps are in proportion.
+/// wrong this is done until gaps are in proportion. Not of pressures, whose law is that of
+/// means over several nodes.
 /// @param solve  solve(law, settings)
 template <int d, class Solve>
 ContactSolution<d> solved_with_far_gaps(const ContactLaw<d>& law,
@@ -39,6 +40,8 @@ ContactSolution<d> solved_with_far_gaps(const ContactLaw<d>& law,
   constexpr int most_cuts = 4;
   ContactSolution<d> found = solve(law, settings);
   if (law.gap.size() == 0) return found;
+  if constexpr (d == 2)
+    if (law.multiplier != Multiplier::force) return found;
   double largest = law.gap.maxCoeff();
   for (int k = 0; k < most_cuts; ++k) {
     const double moved = max_norm(found.displacement), most = near * moved;
@@ -47,7 +50,7 @@ ContactSolution<d> solved_with_far_gaps(const ContactLaw<d>& law,
     next.stiffness = found.stiffness;
     ContactSolution<d> cut = solve(with_gaps_up_to(law, most), next);
     cut.iterations += found.iterations;
-    if (!are_open(cut.state, law.gap, most)) break;
+    if (!cut.accepted(settings) || !are_open(cut.state, law.gap, most)) break;
     found = std::move(cut);
     largest = most;
   }
