@@ -29,9 +29,10 @@ struct ElasticSystem {
 /// @param dimension  2 or 3, of the body
 /// @throws std::invalid_argument  if sizes differ or are no multiple of the dimension, a
 ///                                value of A or b is not finite, A is not symmetric on
-///                                the free dofs or has a negative diagonal, a prescribed value is not zero where the
-///                                columns of A are gone (tgv = -2), or such a matrix was
-///                                scaled and has free dofs without free neighbours
+///                                the free dofs or has a negative diagonal there, a
+///                                prescribed value is not zero where the columns of A are
+///                                gone (tgv = -2), or such a matrix was scaled and has
+///                                free dofs without free neighbours
 ElasticSystem elastic_system(MovableMatrix A, const Ref<const VectorXd>& b,
                              int dimension = 2);
 
