@@ -18,10 +18,9 @@ namespace ffcontact::plugin {
 template <int d>
 void require_exact(const Oscillation& data, const SolvedBody<d>& body,
                    const Estimate<d>& first) {
-  constexpr double rounding = 1e-9;
-  const double forces = body.body_loads.cwiseAbs().sum(),
-               size = first.relative > 0 ? first.e / first.relative : infinity;
-  if (data.force > rounding * forces || data.strain > rounding * size)
+  const double size = first.relative > 0 ? first.e / first.relative : infinity;
+  if (vary_in_cells(data.force, body.body_loads) ||
+      data.strain > linear_to * size)
     refuse(
         "bounds are strict for body forces that are constant in each cell, and "
         "initial strains and stresses that are linear: give bodyforce= and the "

@@ -109,8 +109,8 @@ void report_bend(Stack stack, const NamedArguments& named,
       (bend[most] <= much && named.verbosity_level(stack) < 1))
     return;
   const SimplexMesh<d>& mesh = bodies.joined.mesh;
-  cout << "contacterror: traction= is not linear on the "
-       << a_facet<d> << " at "
+  cout << "contacterror: traction= is not linear on the " << MeshWords<d>::facet
+       << " at "
        << in_words(
               facet_points<d>(mesh, mesh.boundary.col(most)).rowwise().mean())
        << ", by " << 100 * bend[most]
@@ -119,7 +119,7 @@ void report_bend(Stack stack, const NamedArguments& named,
 
 inline void report_varying_force(double oscillation,
                                  const Ref<const MatrixXd>& loads) {
-  if (oscillation > linear_to * loads.cwiseAbs().sum())
+  if (vary_in_cells(oscillation, loads))
     cout << "contacterror: bodyforce= varies within cells: e is no bound of "
             "what this does, oscillation= measures it"
          << endl;

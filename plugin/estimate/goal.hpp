@@ -16,6 +16,10 @@
 
 namespace ffcontact::plugin {
 
+/// In the words of messages.
+template <int d>
+constexpr const char* facets = d == 2 ? "edges" : "faces";
+
 /// @throws std::invalid_argument  if w is off the linear function through its values near the
 ///                                vertices of a boundary element by more than rounding
 template <int d>
@@ -27,7 +31,7 @@ void require_linear(Stack stack, const std::string& name, Expression w,
       bends.off.maxCoeff(&worst) <= linear_to * bends.largest)
     return;
   const auto vertices = part.mesh.boundary.col(part.first_boundary + worst);
-  refuse(name, "= is not linear on the ", a_facet<d>, " at ",
+  refuse(name, "= is not linear on the ", MeshWords<d>::facet, " at ",
          in_words(facet_points<d>(part.mesh, vertices).rowwise().mean()),
          ": let the mesh have ", d == 2 ? "a vertex" : "edges",
          " where it jumps or bends");
@@ -67,17 +71,17 @@ typename LinearStresses<d>::Values goal_stress(Stack stack,
       stack, VoigtExpression<d>{},
       reader.template list<voigt_size<d>>("goalstress"), hooke, reader.part());
   if (read.oscillation > linear_to * size_of<d>(read, hooke, reader.part()))
-    refuse("goalstress= is not linear in each ", a_cell<d>,
+    refuse("goalstress= is not linear in each ", MeshWords<d>::cell,
            ": let the mesh have ", facets<d>, " where it jumps, or choose ",
-           cells<d>, " by region");
+           MeshWords<d>::cells, " by region");
   return read.at_vertices;
 }
 
 template <int d>
 BodyLoadsOfCells<d> goal_body_loads(const BodyReader<d>& reader) {
   BodyForce<d> force = reader.force("goalbodyforce");
-  if (force.oscillation > linear_to * force.loads.cwiseAbs().sum())
-    refuse("goalbodyforce= varies within ", cells<d>,
+  if (vary_in_cells(force.oscillation, force.loads))
+    refuse("goalbodyforce= varies within ", MeshWords<d>::cells,
            ": give it as a constant of each, and let the mesh have ", facets<d>,
            " where it jumps");
   return std::move(force.loads);
@@ -139,7 +143,7 @@ void require_goal(const SimplexMesh<d>& mesh, const Quantity<d>& goal,
          in_words(mesh.place(static_cast<int>(worst) / d)),
          ", but goaltraction=, goalbodyforce= and goalstress= make ",
          load[worst], " of it: they are the integrands of q, on the same ",
-         facets<d>, " and ", cells<d>);
+         facets<d>, " and ", MeshWords<d>::cells);
 }
 
 }  // namespace ffcontact::plugin

@@ -10,16 +10,6 @@ namespace ffcontact::plugin {
 /// Beside the largest value: more is not rounding.
 constexpr double linear_to = 1e-9;
 
-/// In the words of messages.
-template <int d>
-constexpr const char* a_cell = d == 2 ? "triangle" : "tetrahedron";
-template <int d>
-constexpr const char* cells = d == 2 ? "triangles" : "tetrahedra";
-template <int d>
-constexpr const char* a_facet = d == 2 ? "edge" : "face";
-template <int d>
-constexpr const char* facets = d == 2 ? "edges" : "faces";
-
 /// Places on a facet that no odd or even function passes; the first d are near its vertices.
 template <int d>
 Matrix<double, d, Dynamic> places_of_a_facet() {
@@ -38,6 +28,13 @@ Matrix<double, d, Dynamic> places_of_a_facet() {
       for (int k = 0; k < 3; ++k) hats((k + q) % 3, q) = places[q / 3][k];
   }
   return hats;
+}
+
+/// Do body forces have more than a constant in each cell, beyond rounding?
+/// @param loads  of the cells, of all forces
+inline bool vary_in_cells(double oscillation,
+                          const Ref<const MatrixXd>& loads) {
+  return oscillation > linear_to * loads.cwiseAbs().sum();
 }
 
 /// What a function has on each boundary element beyond the linear one through its values near

@@ -104,9 +104,9 @@ void require_law_of_bodies(Stack stack, const NamedArguments& named,
 
 VectorXd stated_previous(Stack stack, const NamedArguments& named,
                          const BodyDofs& bodies) {
+  if (!named.given_of_bodies("previous")) return {};
   VectorXd previous = VectorXd::Zero(bodies.dof_count());
   bool any = false;
-  if (!named.given_of_bodies("previous")) return {};
   for (int k = 0; k < bodies.body_count(); ++k) {
     const std::string name = name_of_body("previous", k, bodies.body_count());
     const Expression expression = named.expression(name);

@@ -111,7 +111,7 @@ void Coarsening<dim, size>::find_product_row(const FineMatrix& A, int i,
 /// A_IJ = sum P_iI' (A P)_iJ, by rows.
 template <int dim, int size>
 void Coarsening<dim, size>::find_coarse_row(int I, NodeList& place,
-                                            const ProductRows& product,
+                                            const ProductRows& products,
                                             CoarseMatrix& coarse) const {
   const BlockPattern &row = coarse.pattern, &R = transposed_P_.pattern;
   number_columns(row, I, row.begin(I), place);
@@ -122,7 +122,7 @@ void Coarsening<dim, size>::find_coarse_row(int I, NodeList& place,
         P_.value[transposed_P_.place[k]].transpose();
     for (int l = AP_.begin(i); l < AP_.end(i); ++l)
       coarse.value[place[AP_.column[l]]].noalias() +=
-          R_Ii * product.value[product.first[i] + l - AP_.begin(i)];
+          R_Ii * products.value[products.first[i] + l - AP_.begin(i)];
   }
 }
 
@@ -137,25 +137,25 @@ NodeList Coarsening<dim, size>::nodes_beside(const NodeList& aggregates) const {
 template <int dim, int size>
 void Coarsening<dim, size>::find_coarse_rows(const FineMatrix& A,
                                              const NodeList& aggregates,
-                                             ProductRows& product,
+                                             ProductRows& products,
                                              CoarseMatrix& coarse) const {
   const NodeList needed = nodes_beside(aggregates);
   int blocks = 0;
   for (int i : needed) {
-    product.first[i] = blocks;
+    products.first[i] = blocks;
     blocks += AP_.end(i) - AP_.begin(i);
   }
-  if (blocks > count_of(product.value)) product.value.resize(blocks);
+  if (blocks > count_of(products.value)) products.value.resize(blocks);
 #pragma omp parallel
   {
     NodeList place(aggregate_count(), -1);
 #pragma omp for
     for (int n = 0; n < count_of(needed); ++n)
       find_product_row(A, needed[n], place,
-                       &product.value[product.first[needed[n]]]);
+                       &products.value[products.first[needed[n]]]);
 #pragma omp for
     for (int n = 0; n < count_of(aggregates); ++n)
-      find_coarse_row(aggregates[n], place, product, coarse);
+      find_coarse_row(aggregates[n], place, products, coarse);
   }
 }
 
@@ -224,12 +224,12 @@ ChangedNodes Coarsening<dim, size>::follow(const Fine& fine,
   result.rows = aggregates_beside(with_neighbours(A, moved));
   // a few at a time: A P has as many numbers as A
   constexpr int at_once = 512;
-  ProductRows product{NodeList(node_count()), {}};
+  ProductRows products{NodeList(node_count()), {}};
   const auto end = result.rows.end();
   for (auto next = result.rows.begin(); next != end;) {
     const auto begin = std::exchange(
         next, next + std::min<std::ptrdiff_t>(at_once, end - next));
-    find_coarse_rows(fine.grid().A, NodeList(begin, next), product, coarse.A);
+    find_coarse_rows(fine.grid().A, NodeList(begin, next), products, coarse.A);
   }
   return result;
 }

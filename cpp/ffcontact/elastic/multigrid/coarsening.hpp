@@ -56,10 +56,10 @@ class Coarsening {
   void find_prolongation_row(const Fine& fine, int i, NodeList& place);
   void find_product_row(const FineMatrix& A, int i, NodeList& place,
                         BlockOfP* row) const;
-  void find_coarse_row(int I, NodeList& place, const ProductRows& product,
+  void find_coarse_row(int I, NodeList& place, const ProductRows& products,
                        CoarseMatrix& coarse) const;
   void find_coarse_rows(const FineMatrix& A, const NodeList& aggregates,
-                        ProductRows& product, CoarseMatrix& coarse) const;
+                        ProductRows& products, CoarseMatrix& coarse) const;
   NodeList aggregates_of(const NodeList& nodes) const;
   NodeList aggregates_beside(const NodeList& nodes) const;
   NodeList nodes_beside(const NodeList& aggregates) const;
