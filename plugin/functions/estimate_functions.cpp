@@ -147,7 +147,7 @@ class ContactErrorFunction : public E_F0mps {
     problem.require_bodies("A, u", matrix_.size());
     std::vector<ElasticSystem> systems;
     for (int k = 0; k < problem.body_count(); ++k) {
-      RowMatrix A = matrix_of_body(stack, problem, k, matrix_[k]);
+      RowMatrix A = matrix_of_body(stack, problem, k, matrix_[k], problem.mesh);
       const VectorXd none = VectorXd::Zero(A.rows());
       systems.push_back(elastic_system(std::move(A), none));
     }

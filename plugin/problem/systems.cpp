@@ -4,17 +4,27 @@
 #include <utility>
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/elastic/vertex_order.hpp"
 //
 #include "freefem/views.hpp"
 
 namespace ffcontact::plugin {
 
+template <int d>
 RowMatrix matrix_of_body(Stack stack, const BodyDofs& bodies, int body,
-                         Expression matrix) {
+                         Expression matrix, const SimplexMesh<d>& mesh) {
   RowMatrix A = matrix_of(value_of<Matrice_Creuse<double>*>(stack, matrix));
   bodies.require_dofs("A", body, A.rows());
+  require_order_of_vertices(
+      A, mesh.vertices.middleCols(bodies.first_dof(body) / d,
+                                  bodies.dof_count(body) / d));
   return A;
 }
+
+template RowMatrix matrix_of_body(Stack, const BodyDofs&, int, Expression,
+                                  const Mesh&);
+template RowMatrix matrix_of_body(Stack, const BodyDofs&, int, Expression,
+                                  const SolidMesh&);
 
 VectorXd joined_displacement(const BodyDofs& bodies,
                              const std::vector<KN<double>*>& u) {

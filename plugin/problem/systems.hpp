@@ -10,9 +10,12 @@
 /// Matrices, displacements and pressures that a script gives.
 namespace ffcontact::plugin {
 
+/// @param mesh  of all bodies
 /// @throws std::invalid_argument  if it was never assigned, or has not the dofs of the body
+///                                in the order of its vertices
+template <int d>
 RowMatrix matrix_of_body(Stack stack, const BodyDofs& bodies, int body,
-                         Expression matrix);
+                         Expression matrix, const SimplexMesh<d>& mesh);
 
 /// On all dofs.
 /// @throws std::invalid_argument  if one has not the dofs of its body

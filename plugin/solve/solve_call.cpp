@@ -92,7 +92,7 @@ ElasticSystem system_of(const SolveCall& call, const BodyDofs& bodies,
   std::vector<ElasticSystem> systems;
   VectorXd load(bodies.dof_count());
   for (int k = 0; k < bodies.body_count(); ++k) {
-    RowMatrix A = matrix_of_body(call.stack, bodies, k, call.matrix[k]);
+    RowMatrix A = matrix_of_body(call.stack, bodies, k, call.matrix[k], mesh);
     const VectorXd b =
         vector_of(value_of<KN<double>*>(call.stack, call.load[k]));
     bodies.require_dofs("b", k, b.size());
