@@ -21,8 +21,7 @@ void require_springs_of_matrix(const SimplexMesh<d>& mesh,
   for (const int v : mesh.boundary.reshaped()) on_boundary[v] = 1;
   for (Index k = 0; k < comparison.off.size(); ++k)
     if (comparison.off[k] > stiffness_tolerance && !on_boundary[k / d]) return;
-  const double added = system.stiffness.coeff(dof, dof) -
-                       diagonal_of_law(forces, comparison.z.size(), dof);
+  const double added = row_beyond_law(system, forces, dof)[dof];
   if (given)
     refuse("spring= is not that of A: at ", vertex_in_words(mesh, dof / d),
            " A has ", added,

@@ -2,6 +2,7 @@
 #include "ffcontact/estimate/checks/stiffness_comparison.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "ffcontact/linear/norms.hpp"
 
@@ -64,8 +65,12 @@ bool Comparison::is_multiple() const {
       .all();
 }
 
-double diagonal_of_law(const StatedForces& forces, Index dofs, Index dof) {
-  return forces(VectorXd::Unit(dofs, dof))[dof];
+VectorXd row_beyond_law(const ElasticSystem& system, const StatedForces& forces,
+                        Index dof) {
+  VectorXd row = -forces(VectorXd::Unit(system.dof_count(), dof));
+  for (RowMatrix::InnerIterator a(system.stiffness, dof); a; ++a)
+    row[a.col()] += a.value();
+  return on_free_dofs(system, std::move(row));
 }
 
 }  // namespace ffcontact

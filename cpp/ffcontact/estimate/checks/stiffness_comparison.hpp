@@ -38,7 +38,8 @@ struct Comparison {
   bool is_multiple() const;
 };
 
-/// K_ii of one dof.
-double diagonal_of_law(const StatedForces& forces, Index dofs, Index dof);
+/// The row of A - K of a dof, as the symmetric K gives its column, 0 on prescribed dofs.
+VectorXd row_beyond_law(const ElasticSystem& system, const StatedForces& forces,
+                        Index dof);
 
 }  // namespace ffcontact
