@@ -61,7 +61,7 @@ VectorXd computed_forces(const SolvedProblem<d>& solved);
 /// In the plane edges carry what does not cost far more than it gains (carrying_edges), all
 /// of the cone where no such tractions hold the body; or they are those of [CHH01]
 /// (Tractions::published). In space tractions go on to nodes that a support holds on a rigid
-/// foundation (continued_tractions).
+/// foundation (continued_tractions), and off faces that open far (carrying_nodes).
 /// @param held   rigid motions, on the solved bodies
 /// @param u_hat  of the matched bodies
 /// @return nothing if no tractions in the cone hold the body

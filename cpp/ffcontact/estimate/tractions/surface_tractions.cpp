@@ -55,12 +55,13 @@ class SurfaceDual {
  public:
   SurfaceDual(std::vector<FrictionCone> cones, const ContactSurface& surface,
               const Ref<const Matrix3Xd>& traction, MatrixXd motions,
-              const VectorXd& resultants)
+              const VectorXd& resultants, const Flags& carries)
       : cones_(std::move(cones)),
         area_(surface.area),
         traction_(traction.reshaped()),
         motions_(std::move(motions)),
-        resultants_(resultants) {}
+        resultants_(resultants),
+        carries_(carries) {}
 
   struct Point {
     VectorXd eta;
@@ -74,6 +75,10 @@ class SurfaceDual {
                 MatrixXd::Zero(eta.size(), eta.size())};
     for (std::size_t i = 0; i < cones_.size(); ++i) {
       const auto z = motions_.middleRows<3>(3 * i);
+      if (!carries_.empty() && !carries_[i]) {
+        point.off += z.transpose() * traction_.segment<3>(3 * i);
+        continue;
+      }
       const Vector3d outside = traction_.segment<3>(3 * i) + z * eta / area_[i];
       const ConeProjection nearest = cone_projection(cones_[i], outside);
       point.r.segment<3>(3 * i) = nearest.point;
@@ -100,6 +105,7 @@ class SurfaceDual {
   VectorXd traction_;
   MatrixXd motions_;  ///< weighted_motions
   VectorXd resultants_;
+  const Flags& carries_;
 };
 
 /// Nodes that touch the foundation and that supports hold along their normals.
@@ -209,16 +215,14 @@ VectorXd resultants_of(const SolidMesh& mesh, const Facets<3>& faces,
          traction.reshaped();
 }
 
-std::optional<Matrix3Xd> nearest_in_cone(const SolidMesh& mesh,
-                                         const Facets<3>& faces,
-                                         const ContactSurface& surface,
-                                         const ContactLaw<3>& law,
-                                         const Ref<const Matrix3Xd>& traction,
-                                         const MatrixXd& motions,
-                                         const VectorXd& resultants) {
+std::optional<Matrix3Xd> nearest_in_cone(
+    const SolidMesh& mesh, const Facets<3>& faces,
+    const ContactSurface& surface, const ContactLaw<3>& law,
+    const Ref<const Matrix3Xd>& traction, const MatrixXd& motions,
+    const VectorXd& resultants, const Flags& carries) {
   const SurfaceDual dual(traction_cones(law), surface, traction,
                          weighted_motions(mesh, faces, surface, motions),
-                         resultants);
+                         resultants, carries);
   SurfaceDual::Point point = dual.start(), closest = point;
   const double scale = dual.scale();
   DampedNewton newton(dual, surface.area.sum(), scale);

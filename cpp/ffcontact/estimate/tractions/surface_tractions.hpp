@@ -58,14 +58,13 @@ VectorXd resultants_of(const SolidMesh& mesh, const Facets<3>& faces,
 ///     r_i = Pi_i(r0_i + sum of eta_k int chi_i [z_k] / A_i),
 /// where the multipliers eta minimise a convex function whose gradient is what the
 /// resultants are off: Newton's method.
+/// @param carries  nodes whose tractions may change [p]; all if empty
 /// @return nothing if there are no such tractions
-std::optional<Matrix3Xd> nearest_in_cone(const SolidMesh& mesh,
-                                         const Facets<3>& faces,
-                                         const ContactSurface& surface,
-                                         const ContactLaw<3>& law,
-                                         const Ref<const Matrix3Xd>& traction,
-                                         const MatrixXd& motions,
-                                         const VectorXd& resultants);
+std::optional<Matrix3Xd> nearest_in_cone(
+    const SolidMesh& mesh, const Facets<3>& faces,
+    const ContactSurface& surface, const ContactLaw<3>& law,
+    const Ref<const Matrix3Xd>& traction, const MatrixXd& motions,
+    const VectorXd& resultants, const Flags& carries = {});
 
 /// Largest of r_n and |r_t| less its bound at the nodes [MPa]; 0 in the cone.
 double cone_violation(const ContactLaw<3>& law,
