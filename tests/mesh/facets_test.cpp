@@ -7,9 +7,8 @@
 #include <set>
 #include <string>
 
-#include "support/random.hpp"
+#include "support/irregular_bodies.hpp"
 #include "support/refusals.hpp"
-#include "support/solids.hpp"
 
 namespace ffcontact {
 namespace {
@@ -46,88 +45,124 @@ void append_boundary(SolidMesh& mesh, const Vector3i& face) {
   mesh.boundary_label[last] = 7;
 }
 
-std::set<int> corners(const Facets<3>& faces, int f) {
-  return {faces.vertices(0, f), faces.vertices(1, f), faces.vertices(2, f)};
+template <int d>
+std::set<int> corners(const Facets<d>& facets, int f) {
+  const auto vertices = facets.vertices.col(f);
+  return {vertices.begin(), vertices.end()};
 }
 
-RC_GTEST_PROP(Faces, are_as_many_as_cells_and_boundary_ask_for,
-              (Random random)) {
-  const SolidMesh mesh = irregular_solid(random);
-  const Facets<3> faces = facets_of(mesh);
+template <int d>
+void are_as_many_as_cells_and_boundary_ask_for(Random& random) {
+  const SimplexMesh<d> mesh = irregular_body<d>(random);
+  const Facets<d> facets = facets_of(mesh);
   int on_boundary = 0;
-  for (int f = 0; f < faces.count(); ++f) on_boundary += faces.on_boundary(f);
+  for (int f = 0; f < facets.count(); ++f) on_boundary += facets.on_boundary(f);
   RC_ASSERT(on_boundary == mesh.boundary.cols());
-  RC_ASSERT(2 * faces.count() == 4 * mesh.cell_count() + on_boundary);
+  RC_ASSERT(2 * facets.count() == (d + 1) * mesh.cell_count() + on_boundary);
 }
 
-RC_GTEST_PROP(Faces, local_face_k_is_opposite_to_local_vertex_k,
+RC_GTEST_PROP(Facets, are_as_many_as_cells_and_boundary_ask_for,
               (Random random)) {
-  const SolidMesh mesh = irregular_solid(random);
-  const Facets<3> faces = facets_of(mesh);
+  are_as_many_as_cells_and_boundary_ask_for<2>(random);
+  are_as_many_as_cells_and_boundary_ask_for<3>(random);
+}
+
+template <int d>
+void local_facet_k_is_opposite_to_local_vertex_k(Random& random) {
+  const SimplexMesh<d> mesh = irregular_body<d>(random);
+  const Facets<d> facets = facets_of(mesh);
   for (int t = 0; t < mesh.cell_count(); ++t)
-    for (int k = 0; k < 4; ++k) {
-      const std::set<int> others{mesh.cells((k + 1) % 4, t),
-                                 mesh.cells((k + 2) % 4, t),
-                                 mesh.cells((k + 3) % 4, t)};
-      RC_ASSERT(corners(faces, faces.of_cell(k, t)) == others);
+    for (int k = 0; k <= d; ++k) {
+      std::set<int> others;
+      for (int turn = 1; turn <= d; ++turn)
+        others.insert(mesh.cells((k + turn) % (d + 1), t));
+      RC_ASSERT(corners(facets, facets.of_cell(k, t)) == others);
     }
 }
 
-RC_GTEST_PROP(Faces, normals_point_out_of_the_first_cell_and_into_the_second,
+RC_GTEST_PROP(Facets, local_facet_k_is_opposite_to_local_vertex_k,
               (Random random)) {
-  const SolidMesh mesh = irregular_solid(random);
-  const Facets<3> faces = facets_of(mesh);
+  local_facet_k_is_opposite_to_local_vertex_k<2>(random);
+  local_facet_k_is_opposite_to_local_vertex_k<3>(random);
+}
+
+template <int d>
+void normals_point_out_of_the_first_cell_and_into_the_second(Random& random) {
+  const SimplexMesh<d> mesh = irregular_body<d>(random);
+  const Facets<d> facets = facets_of(mesh);
   for (int t = 0; t < mesh.cell_count(); ++t)
-    for (int k = 0; k < 4; ++k) {
-      const int f = faces.of_cell(k, t);
-      RC_ASSERT(std::abs(faces.eta(k, t)) == 1);
-      RC_ASSERT(faces.cells(faces.eta(k, t) > 0 ? 0 : 1, f) == t);
-      const Vector3d to_apex =
-          mesh.corner(t, k) - mesh.vertices.col(faces.vertices(0, f));
-      RC_ASSERT(faces.eta(k, t) * facet_normal(mesh, faces, f).dot(to_apex) <
+    for (int k = 0; k <= d; ++k) {
+      const int f = facets.of_cell(k, t);
+      RC_ASSERT(std::abs(facets.eta(k, t)) == 1);
+      RC_ASSERT(facets.cells(facets.eta(k, t) > 0 ? 0 : 1, f) == t);
+      const VectorOf<d> to_apex =
+          mesh.corner(t, k) - mesh.vertices.col(facets.vertices(0, f));
+      RC_ASSERT(facets.eta(k, t) * facet_normal(mesh, facets, f).dot(to_apex) <
                 0);
     }
 }
 
-RC_GTEST_PROP(Faces, areas_and_normals_of_each_cell_obey_the_divergence_theorem,
+RC_GTEST_PROP(Facets, normals_point_out_of_the_first_cell_and_into_the_second,
               (Random random)) {
-  const SolidMesh mesh = irregular_solid(random);
-  const Facets<3> faces = facets_of(mesh);
+  normals_point_out_of_the_first_cell_and_into_the_second<2>(random);
+  normals_point_out_of_the_first_cell_and_into_the_second<3>(random);
+}
+
+template <int d>
+void measures_and_normals_obey_the_divergence_theorem(Random& random) {
+  const SimplexMesh<d> mesh = irregular_body<d>(random);
+  const Facets<d> facets = facets_of(mesh);
   for (int t = 0; t < mesh.cell_count(); ++t) {
-    Vector3d closed = Vector3d::Zero();
+    VectorOf<d> closed = VectorOf<d>::Zero();
     double flux = 0;  // of the position
-    for (int k = 0; k < 4; ++k) {
-      const int f = faces.of_cell(k, t);
-      const Vector3d outward = faces.eta(k, t) * facet_measure(mesh, faces, f) *
-                               facet_normal(mesh, faces, f);
+    for (int k = 0; k <= d; ++k) {
+      const int f = facets.of_cell(k, t);
+      const VectorOf<d> outward = facets.eta(k, t) *
+                                  facet_measure(mesh, facets, f) *
+                                  facet_normal(mesh, facets, f);
       closed += outward;
-      flux += outward.dot(mesh.vertices.col(faces.vertices(1, f)));
+      flux += outward.dot(mesh.vertices.col(facets.vertices(1, f)));
     }
     RC_ASSERT(closed.norm() < 1e-14);
-    RC_ASSERT(std::abs(flux - 3 * signed_volume(mesh, t)) < 1e-13);
+    RC_ASSERT(std::abs(flux - d * signed_volume(mesh, t)) < 1e-13);
   }
 }
 
-RC_GTEST_PROP(Faces, outward_normals_and_areas_follow_the_labels,
+RC_GTEST_PROP(Facets, measures_and_normals_obey_the_divergence_theorem,
               (Random random)) {
-  const SolidMesh mesh = irregular_solid(random);
-  const Facets<3> faces = facets_of(mesh);
-  Matrix<double, 6, 1> area = Matrix<double, 6, 1>::Zero();
-  for (int f = 0; f < faces.count(); ++f) {
-    RC_ASSERT(faces.on_boundary(f) == (faces.boundary_index[f] >= 0));
-    if (!faces.on_boundary(f)) continue;
-    const int b = faces.boundary_index[f], label = mesh.boundary_label[b];
-    RC_ASSERT(corners(faces, f) ==
-              (std::set<int>{mesh.boundary(0, b), mesh.boundary(1, b),
-                             mesh.boundary(2, b)}));
-    const Vector3d outward = Vector3d::Unit((label - low_x) / 2) *
-                             ((label - low_x) % 2 == 0 ? -1 : 1);
-    RC_ASSERT((facet_normal(mesh, faces, f) - outward).norm() < 1e-14);
-    area[label - low_x] += facet_measure(mesh, faces, f);
+  measures_and_normals_obey_the_divergence_theorem<2>(random);
+  measures_and_normals_obey_the_divergence_theorem<3>(random);
+}
+
+/// On each side: outward normals, and measures that add up to that of the box's side.
+template <int d>
+void outward_normals_and_measures_follow_the_labels(Random& random) {
+  const SimplexMesh<d> mesh = irregular_body<d>(random);
+  const Facets<d> facets = facets_of(mesh);
+  VectorXd measure = VectorXd::Zero(2 * d);
+  for (int f = 0; f < facets.count(); ++f) {
+    RC_ASSERT(facets.on_boundary(f) == (facets.boundary_index[f] >= 0));
+    if (!facets.on_boundary(f)) continue;
+    const int b = facets.boundary_index[f], label = mesh.boundary_label[b];
+    const auto listed = mesh.boundary.col(b);
+    RC_ASSERT(corners(facets, f) ==
+              std::set<int>(listed.begin(), listed.end()));
+    RC_ASSERT(
+        (facet_normal(mesh, facets, f) - outward_of_side<d>(label)).norm() <
+        1e-13);
+    measure[label - 1] += facet_measure(mesh, facets, f);
   }
-  Matrix<double, 6, 1> expected;
-  expected << 4, 4, 6, 6, 6, 6;
-  RC_ASSERT((area - expected).norm() < 1e-13);
+  const VectorOf<d> sizes = body_sizes<d>();
+  for (int side = 0; side < 2 * d; ++side) {
+    const double across = outward_of_side<d>(side + 1).cwiseAbs().dot(sizes);
+    RC_ASSERT(std::abs(measure[side] - sizes.prod() / across) < 1e-13);
+  }
+}
+
+RC_GTEST_PROP(Facets, outward_normals_and_measures_follow_the_labels,
+              (Random random)) {
+  outward_normals_and_measures_follow_the_labels<2>(random);
+  outward_normals_and_measures_follow_the_labels<3>(random);
 }
 
 TEST(Faces, of_a_bipyramid_are_seven_in_the_order_of_their_vertices) {

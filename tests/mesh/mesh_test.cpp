@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-#include "support/meshes.hpp"
-#include "support/random.hpp"
+#include "support/irregular_bodies.hpp"
 #include "support/refusals.hpp"
 
 namespace ffcontact {
@@ -18,25 +17,43 @@ std::string refusal_of(const Mesh& mesh) {
   return refusal([&] { require_valid(mesh); });
 }
 
-RC_GTEST_PROP(Mesh, areas_of_irregular_triangles_add_up_to_the_body,
-              (Random random)) {
-  const Mesh mesh = irregular(4, 3, 8, 6, random);
-  double area = 0;
+template <int d>
+void volumes_of_irregular_cells_add_up_to_the_body(Random& random) {
+  const SimplexMesh<d> mesh = irregular_body<d>(random);
+  require_valid(mesh);
+  const double whole = body_sizes<d>().prod();
+  double volume = 0;
   for (int t = 0; t < mesh.cell_count(); ++t) {
-    RC_ASSERT(signed_area(mesh, t) > 0);
-    area += signed_area(mesh, t);
+    RC_ASSERT(signed_volume(mesh, t) > 0);
+    volume += signed_volume(mesh, t);
   }
-  RC_ASSERT(std::abs(area - 48) < 48e-14);
+  RC_ASSERT(std::abs(volume - whole) < 1e-14 * whole);
 }
 
-RC_GTEST_PROP(Mesh, hat_gradients_reproduce_linear_functions, (Random random)) {
-  const Mesh mesh = irregular(3, 3, 3, 3, random);
-  const Vector2d slope = random_vector(2, random);
+RC_GTEST_PROP(Mesh, volumes_of_irregular_cells_add_up_to_the_body,
+              (Random random)) {
+  volumes_of_irregular_cells_add_up_to_the_body<2>(random);
+  volumes_of_irregular_cells_add_up_to_the_body<3>(random);
+}
+
+template <int d>
+void hat_functions_add_up_to_one_and_reproduce_linear_functions(
+    Random& random) {
+  const SimplexMesh<d> mesh = irregular_body<d>(random);
+  const VectorOf<d> slope = random_vector(d, random);
   for (int t = 0; t < mesh.cell_count(); ++t) {
-    Vector3d values;
-    for (int k = 0; k < 3; ++k) values[k] = 1 + slope.dot(mesh.corner(t, k));
-    RC_ASSERT((hat_gradients(mesh, t) * values - slope).norm() < 1e-11);
+    const Matrix<double, d, d + 1> gradients = hat_gradients(mesh, t);
+    VectorOf<d + 1> values;
+    for (int k = 0; k <= d; ++k) values[k] = 1 + slope.dot(mesh.corner(t, k));
+    RC_ASSERT(gradients.rowwise().sum().norm() < 1e-12 * gradients.norm());
+    RC_ASSERT((gradients * values - slope).norm() < 1e-11);
   }
+}
+
+RC_GTEST_PROP(Mesh, hat_functions_add_up_to_one_and_reproduce_linear_functions,
+              (Random random)) {
+  hat_functions_add_up_to_one_and_reproduce_linear_functions<2>(random);
+  hat_functions_add_up_to_one_and_reproduce_linear_functions<3>(random);
 }
 
 TEST(Mesh, accepts_a_rectangle) {

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <cmath>
 #include <string>
 
 #include "ffcontact/mesh/mesh.hpp"
@@ -41,29 +40,6 @@ TEST(SolidMesh, the_vector_of_a_face_is_its_area_along_its_normal) {
   Matrix3d corners;
   corners << Vector3d(0, 0, 5), Vector3d(2, 0, 5), Vector3d(0, 3, 5);
   EXPECT_EQ(facet_vector(corners), Vector3d(0, 0, 3));
-}
-
-RC_GTEST_PROP(SolidMesh, volumes_of_irregular_tetrahedra_add_up_to_the_body,
-              (Random random)) {
-  const SolidMesh mesh = irregular_solid(random);
-  RC_ASSERT(refusal_of(mesh) == "accepted");
-  double volume = 0;
-  for (int t = 0; t < mesh.cell_count(); ++t) volume += signed_volume(mesh, t);
-  RC_ASSERT(std::abs(volume - 12) < 12e-14);
-}
-
-RC_GTEST_PROP(SolidMesh,
-              hat_functions_add_up_to_one_and_reproduce_linear_functions,
-              (Random random)) {
-  const SolidMesh mesh = irregular_solid(random);
-  const Vector3d slope = random_vector(3, random);
-  for (int t = 0; t < mesh.cell_count(); ++t) {
-    const Matrix<double, 3, 4> gradients = hat_gradients(mesh, t);
-    Vector4d values;
-    for (int k = 0; k < 4; ++k) values[k] = 1 + slope.dot(mesh.corner(t, k));
-    RC_ASSERT(gradients.rowwise().sum().norm() < 1e-12 * gradients.norm());
-    RC_ASSERT((gradients * values - slope).norm() < 1e-11);
-  }
 }
 
 RC_GTEST_PROP(SolidMesh,
@@ -106,19 +82,6 @@ TEST(SolidMesh, refuses_a_vertex_out_of_range) {
   mesh.boundary(2, 1) = -1;
   EXPECT_EQ(refusal_of(mesh),
             "boundary face 1 names vertex -1 of a mesh with 4 vertices");
-}
-
-TEST(SolidMesh, refuses_a_coordinate_that_is_not_finite) {
-  SolidMesh mesh = unit_tetrahedron();
-  mesh.vertices(2, 1) = std::nan("");
-  EXPECT_EQ(refusal_of(mesh),
-            "the mesh has a vertex whose coordinates are not finite");
-}
-
-TEST(SolidMesh, refuses_boundary_faces_without_label) {
-  SolidMesh mesh = unit_tetrahedron();
-  mesh.boundary_label.conservativeResize(3);
-  EXPECT_EQ(refusal_of(mesh), "boundary_label has 3 values where 4 are needed");
 }
 
 }  // namespace
