@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/coulomb.hpp"
 
+#include <algorithm>
+
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/law/cones_of_law.hpp"
 #include "ffcontact/contact/law/nodal_pressures.hpp"
 #include "ffcontact/contact/uniqueness/critical_friction.hpp"
+#include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact::plugin {
 
