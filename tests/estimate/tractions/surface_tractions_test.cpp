@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <vector>
 
 #include "ffcontact/elastic/rigid_motions.hpp"
 #include "ffcontact/estimate/error/surface_error.hpp"
@@ -46,28 +48,57 @@ RC_GTEST_PROP(ConeProjection, slope_is_its_derivative, (Random random)) {
   RC_ASSERT((slope - (plus - minus) / (2 * h)).norm() < 1e-4);
 }
 
+/// A body held by contact alone, contact forces on it, and what they do along its motions.
+struct Pressed {
+  SolidProblem problem;
+  Matrix3Xd lumped;
+  MatrixXd motions;
+  VectorXd resultants;
+
+  explicit Pressed(Random& random) : problem(irregular_solid(random), 0.6) {
+    const int nodes = problem.surface.node_count();
+    Matrix3Xd force = 0.2 * random_matrix(3, nodes, random);
+    force.row(0).array() -= 0.8;
+    for (int i = 0; i < nodes; ++i) force.col(i) *= problem.surface.area[i];
+    lumped = lumped_tractions(problem.law, problem.surface, force);
+    motions = free_rigid_motions(problem.mesh,
+                                 std::vector<char>(problem.b.size(), 0));
+    resultants = motions.transpose() *
+                 nodal_load(problem.surface, force, problem.b.size());
+  }
+
+  std::optional<Matrix3Xd> nearest(const Flags& carries = {}) const {
+    return nearest_in_cone(problem.mesh, problem.faces, problem.surface,
+                           problem.law, lumped, motions, resultants, carries);
+  }
+  double off(const Matrix3Xd& r) const {
+    return (resultants_of(problem.mesh, problem.faces, problem.surface, r,
+                          motions) -
+            resultants)
+        .norm();
+  }
+};
+
 RC_GTEST_PROP(SurfaceTractions, have_the_resultants_of_the_forces,
               (Random random)) {
   // lumped tractions have the force, not the moment: those nearest to them have both
-  SolidProblem problem(irregular_solid(random), 0.6);
-  const int nodes = problem.surface.node_count();
-  Matrix3Xd force = 0.2 * random_matrix(3, nodes, random);
-  force.row(0).array() -= 0.8;
-  for (int i = 0; i < nodes; ++i) force.col(i) *= problem.surface.area[i];
-  const MatrixXd motions =
-      free_rigid_motions(problem.mesh, std::vector<char>(problem.b.size(), 0));
-  const VectorXd load = nodal_load(problem.surface, force, problem.b.size());
-  const VectorXd resultants = motions.transpose() * load;
-
-  const auto r =
-      nearest_in_cone(problem.mesh, problem.faces, problem.surface, problem.law,
-                      lumped_tractions(problem.law, problem.surface, force),
-                      motions, resultants);
+  const Pressed pressed(random);
+  const auto r = pressed.nearest();
   RC_ASSERT(r.has_value());
-  RC_ASSERT(cone_violation(problem.law, *r) < 1e-15);
-  const VectorXd found =
-      resultants_of(problem.mesh, problem.faces, problem.surface, *r, motions);
-  RC_ASSERT((found - resultants).norm() < 1e-11);
+  RC_ASSERT(cone_violation(pressed.problem.law, *r) < 1e-15);
+  RC_ASSERT(pressed.off(*r) < 1e-11);
+}
+
+RC_GTEST_PROP(SurfaceTractions, stay_where_nodes_do_not_carry,
+              (Random random)) {
+  const Pressed pressed(random);
+  Flags carries(pressed.lumped.cols(), 1);
+  carries[random() % carries.size()] = 0;
+  const auto r = pressed.nearest(carries);
+  RC_ASSERT(r.has_value());
+  RC_ASSERT(pressed.off(*r) < 1e-11);
+  for (Index i = 0; i < r->cols(); ++i)
+    RC_ASSERT((r->col(i) == pressed.lumped.col(i)) == !carries[i]);
 }
 
 TEST(SurfaceTractions, are_found_where_few_nodes_press) {
