@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "support/solid_estimates.hpp"
 
@@ -33,8 +34,7 @@ struct Carried {
   CarryingNodes nodes;
 };
 
-Carried carried_on_a_step(double depth) {
-  SolidProblem problem = on_a_step(depth);
+Carried carried(SolidProblem problem) {
   const auto topology = topology_of(problem.mesh);
   const auto system = problem.system();
   const SolvedBody<3> body = solved_solid(problem, problem.solve());
@@ -45,6 +45,8 @@ Carried carried_on_a_step(double depth) {
       carrying_nodes(MatchedBodies<3>(solved), body.displacement, lumped);
   return {std::move(problem), lumped, std::move(nodes)};
 }
+
+Carried carried_on_a_step(double depth) { return carried(on_a_step(depth)); }
 
 TEST(CarryingNodes, hand_their_forces_to_the_closed_faces) {
   const auto [problem, lumped, nodes] = carried_on_a_step(1);
@@ -78,16 +80,27 @@ TEST(CarryingNodes, keep_what_no_closed_face_takes) {
   problem.law.gap = VectorXd::NullaryExpr(vertex.size(), [&](Index i) {
     return problem.mesh.vertices.col(vertex[i]).head<2>().norm();
   });
-  const auto topology = topology_of(problem.mesh);
-  const auto system = problem.system();
-  const SolvedBody<3> body = solved_solid(problem, problem.solve());
-  const SolvedProblem<3> solved{topology, problem.surface, system, body};
-  const Matrix3Xd lumped =
-      lumped_tractions(problem.law, problem.surface, body.multipliers);
-  const CarryingNodes nodes =
-      carrying_nodes(MatchedBodies<3>(solved), body.displacement, lumped);
+  const auto [solved, lumped, nodes] = carried(std::move(problem));
   EXPECT_EQ(nodes.traction, lumped);
   EXPECT_EQ(std::count(nodes.carries.begin(), nodes.carries.end(), 1), 1);
+}
+
+TEST(CarryingNodes, keep_friction_that_asks_for_no_contact) {
+  SolidProblem step = on_a_step(1);
+  step.law.friction.setZero();
+  step.law.slip_bound = VectorXd::Constant(step.surface.node_count(), 0.5);
+  const auto [problem, lumped, nodes] = carried(std::move(step));
+  int open = 0;
+  double friction = 0;
+  for (int i = 0; i < problem.surface.node_count(); ++i) {
+    if (nodes.carries[i]) continue;
+    ++open;
+    EXPECT_EQ(nodes.traction(0, i), 0);
+    EXPECT_EQ(nodes.traction.col(i).tail<2>(), lumped.col(i).tail<2>());
+    friction += lumped.col(i).tail<2>().norm();
+  }
+  EXPECT_GT(friction, 0.2 * open);
+  EXPECT_LT(nodes.traction.row(0).minCoeff(), lumped.row(0).minCoeff());
 }
 
 TEST(CarryingNodes, make_e_independent_of_how_deep_a_step_is) {

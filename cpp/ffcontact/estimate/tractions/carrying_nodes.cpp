@@ -65,6 +65,14 @@ Flags loaded_nodes(const Ref<const Matrix3Xd>& traction, double largest) {
   return loaded;
 }
 
+/// What of the tractions asks for contact: not Tresca's friction.
+Matrix3Xd of_contact(const std::vector<FrictionCone>& cones,
+                     Matrix3Xd traction) {
+  for (Index i = 0; i < traction.cols(); ++i)
+    if (cones[i].cohesion > 0) traction.col(i).tail<2>().setZero();
+  return traction;
+}
+
 /// What nodes hand to each other.
 struct Handing {
   const ContactSurface& surface;
@@ -108,12 +116,13 @@ CarryingNodes carrying_nodes(const MatchedBodies<3>& bodies,
                              const Ref<const VectorXd>& u_hat,
                              const Ref<const Matrix3Xd>& traction) {
   const std::vector<FrictionCone> cones = traction_cones(bodies.body().law);
+  const Matrix3Xd pressing = of_contact(cones, traction);
   const double largest = max_norm(traction);
   const Flags far = open_far(bodies, u_hat, largest),
-              loaded = loaded_nodes(traction, largest);
+              loaded = loaded_nodes(pressing, largest);
   const Handing handing{bodies.contact(), far, loaded};
   const VectorXd takers = handing.takers();
-  CarryingNodes result{traction + handing.handed(traction, takers),
+  CarryingNodes result{traction + handing.handed(pressing, takers),
                        Flags(far.size(), 1)};
   for (Index i = 0; i < traction.cols(); ++i) {
     auto r = result.traction.col(i);
@@ -121,7 +130,7 @@ CarryingNodes carrying_nodes(const MatchedBodies<3>& bodies,
     if (result.carries[i])
       r = cone_projection(cones[i], r).point;
     else
-      r.setZero();
+      r -= pressing.col(i);
   }
   return result;
 }

@@ -18,7 +18,7 @@ struct CarryingNodes {
 /// and where o > 3 (l / |C| + c_n) |r_max|, l^2 = A_i, c_n of a layer, no gain pays for it.
 /// Such a node hands its force A_i r_i to the loaded nodes of its faces that open less, in
 /// equal parts, which keep to their cones. Where there are none, as in a contact of one
-/// node's width, it keeps it.
+/// node's width, it keeps it. Tresca's friction, which acts on open faces, too, stays.
 /// @param u_hat     of the bodies, on all dofs [mm]
 /// @param traction  r_hat at the nodes, in the cones
 CarryingNodes carrying_nodes(const MatchedBodies<3>& bodies,
