@@ -2,14 +2,14 @@
 #include "problem/body_dofs.hpp"
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/elastic/dofs.hpp"
 
 namespace ffcontact::plugin {
 
 void BodyDofs::require_dofs(const char* name, int body, Index count) const {
   if (count != dof_count(body))
-    refuse(name, " has size ", count, " but ",
-           dimension_ == 2 ? "[P1, P1]" : "[P1, P1, P1]", " has ",
-           dof_count(body), " dofs on this mesh");
+    refuse(name, " has size ", count, " but ", space_in_words(dimension_),
+           " has ", dof_count(body), " dofs on this mesh");
 }
 
 void BodyDofs::require_bodies(const char* names, std::size_t count) const {

@@ -59,13 +59,11 @@ void are_as_many_as_cells_and_boundary_ask_for(Random& random) {
   for (int f = 0; f < facets.count(); ++f) on_boundary += facets.on_boundary(f);
   RC_ASSERT(on_boundary == mesh.boundary.cols());
   RC_ASSERT(2 * facets.count() == (d + 1) * mesh.cell_count() + on_boundary);
+  if (d == 2)
+    RC_ASSERT(mesh.vertex_count() - facets.count() + mesh.cell_count() == 1);
 }
 
-RC_GTEST_PROP(Facets, are_as_many_as_cells_and_boundary_ask_for,
-              (Random random)) {
-  are_as_many_as_cells_and_boundary_ask_for<2>(random);
-  are_as_many_as_cells_and_boundary_ask_for<3>(random);
-}
+PROPERTY_IN_BOTH_DIMENSIONS(Facets, are_as_many_as_cells_and_boundary_ask_for)
 
 template <int d>
 void local_facet_k_is_opposite_to_local_vertex_k(Random& random) {
@@ -80,11 +78,7 @@ void local_facet_k_is_opposite_to_local_vertex_k(Random& random) {
     }
 }
 
-RC_GTEST_PROP(Facets, local_facet_k_is_opposite_to_local_vertex_k,
-              (Random random)) {
-  local_facet_k_is_opposite_to_local_vertex_k<2>(random);
-  local_facet_k_is_opposite_to_local_vertex_k<3>(random);
-}
+PROPERTY_IN_BOTH_DIMENSIONS(Facets, local_facet_k_is_opposite_to_local_vertex_k)
 
 template <int d>
 void normals_point_out_of_the_first_cell_and_into_the_second(Random& random) {
@@ -102,11 +96,8 @@ void normals_point_out_of_the_first_cell_and_into_the_second(Random& random) {
     }
 }
 
-RC_GTEST_PROP(Facets, normals_point_out_of_the_first_cell_and_into_the_second,
-              (Random random)) {
-  normals_point_out_of_the_first_cell_and_into_the_second<2>(random);
-  normals_point_out_of_the_first_cell_and_into_the_second<3>(random);
-}
+PROPERTY_IN_BOTH_DIMENSIONS(
+    Facets, normals_point_out_of_the_first_cell_and_into_the_second)
 
 template <int d>
 void measures_and_normals_obey_the_divergence_theorem(Random& random) {
@@ -128,11 +119,8 @@ void measures_and_normals_obey_the_divergence_theorem(Random& random) {
   }
 }
 
-RC_GTEST_PROP(Facets, measures_and_normals_obey_the_divergence_theorem,
-              (Random random)) {
-  measures_and_normals_obey_the_divergence_theorem<2>(random);
-  measures_and_normals_obey_the_divergence_theorem<3>(random);
-}
+PROPERTY_IN_BOTH_DIMENSIONS(Facets,
+                            measures_and_normals_obey_the_divergence_theorem)
 
 /// On each side: outward normals, and measures that add up to that of the box's side.
 template <int d>
@@ -140,6 +128,7 @@ void outward_normals_and_measures_follow_the_labels(Random& random) {
   const SimplexMesh<d> mesh = irregular_body<d>(random);
   const Facets<d> facets = facets_of(mesh);
   VectorXd measure = VectorXd::Zero(2 * d);
+  double flux = 0;  // of the position
   for (int f = 0; f < facets.count(); ++f) {
     RC_ASSERT(facets.on_boundary(f) == (facets.boundary_index[f] >= 0));
     if (!facets.on_boundary(f)) continue;
@@ -151,19 +140,19 @@ void outward_normals_and_measures_follow_the_labels(Random& random) {
         (facet_normal(mesh, facets, f) - outward_of_side<d>(label)).norm() <
         1e-13);
     measure[label - 1] += facet_measure(mesh, facets, f);
+    const MatrixOf<d> ends = mesh.vertices(Eigen::all, facets.vertices.col(f));
+    flux += facet_vector(ends).dot(ends.col(0));
   }
   const VectorOf<d> sizes = body_sizes<d>();
   for (int side = 0; side < 2 * d; ++side) {
     const double across = outward_of_side<d>(side + 1).cwiseAbs().dot(sizes);
     RC_ASSERT(std::abs(measure[side] - sizes.prod() / across) < 1e-13);
   }
+  RC_ASSERT(std::abs(flux / d - sizes.prod()) < 1e-14 * sizes.prod());
 }
 
-RC_GTEST_PROP(Facets, outward_normals_and_measures_follow_the_labels,
-              (Random random)) {
-  outward_normals_and_measures_follow_the_labels<2>(random);
-  outward_normals_and_measures_follow_the_labels<3>(random);
-}
+PROPERTY_IN_BOTH_DIMENSIONS(Facets,
+                            outward_normals_and_measures_follow_the_labels)
 
 TEST(Faces, of_a_bipyramid_are_seven_in_the_order_of_their_vertices) {
   const Facets<3> faces = facets_of(bipyramid());

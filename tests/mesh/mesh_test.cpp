@@ -30,11 +30,7 @@ void volumes_of_irregular_cells_add_up_to_the_body(Random& random) {
   RC_ASSERT(std::abs(volume - whole) < 1e-14 * whole);
 }
 
-RC_GTEST_PROP(Mesh, volumes_of_irregular_cells_add_up_to_the_body,
-              (Random random)) {
-  volumes_of_irregular_cells_add_up_to_the_body<2>(random);
-  volumes_of_irregular_cells_add_up_to_the_body<3>(random);
-}
+PROPERTY_IN_BOTH_DIMENSIONS(Mesh, volumes_of_irregular_cells_add_up_to_the_body)
 
 template <int d>
 void hat_functions_add_up_to_one_and_reproduce_linear_functions(
@@ -50,11 +46,8 @@ void hat_functions_add_up_to_one_and_reproduce_linear_functions(
   }
 }
 
-RC_GTEST_PROP(Mesh, hat_functions_add_up_to_one_and_reproduce_linear_functions,
-              (Random random)) {
-  hat_functions_add_up_to_one_and_reproduce_linear_functions<2>(random);
-  hat_functions_add_up_to_one_and_reproduce_linear_functions<3>(random);
-}
+PROPERTY_IN_BOTH_DIMENSIONS(
+    Mesh, hat_functions_add_up_to_one_and_reproduce_linear_functions)
 
 TEST(Mesh, accepts_a_rectangle) {
   EXPECT_EQ(refusal_of(rectangle(3, 2, 3, 2)), "accepted");

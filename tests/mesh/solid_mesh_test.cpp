@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <string>
 
 #include "ffcontact/mesh/mesh.hpp"
@@ -82,6 +83,19 @@ TEST(SolidMesh, refuses_a_vertex_out_of_range) {
   mesh.boundary(2, 1) = -1;
   EXPECT_EQ(refusal_of(mesh),
             "boundary face 1 names vertex -1 of a mesh with 4 vertices");
+}
+
+TEST(SolidMesh, refuses_a_coordinate_that_is_not_finite) {
+  SolidMesh mesh = unit_tetrahedron();
+  mesh.vertices(2, 1) = std::nan("");
+  EXPECT_EQ(refusal_of(mesh),
+            "the mesh has a vertex whose coordinates are not finite");
+}
+
+TEST(SolidMesh, refuses_boundary_faces_without_label) {
+  SolidMesh mesh = unit_tetrahedron();
+  mesh.boundary_label.conservativeResize(3);
+  EXPECT_EQ(refusal_of(mesh), "boundary_label has 3 values where 4 are needed");
 }
 
 }  // namespace

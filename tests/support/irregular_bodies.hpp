@@ -8,6 +8,13 @@
 /// Boxes of irregular cells, of properties that hold in any dimension.
 namespace ffcontact::test {
 
+/// The property name<d>(random), in the plane and in space.
+#define PROPERTY_IN_BOTH_DIMENSIONS(suite, name) \
+  RC_GTEST_PROP(suite, name, (Random random)) {  \
+    name<2>(random);                             \
+    name<3>(random);                             \
+  }
+
 template <int d>
 SimplexMesh<d> irregular_body(Random& random) {
   if constexpr (d == 2)

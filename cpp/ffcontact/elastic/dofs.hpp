@@ -11,6 +11,11 @@
 /// is dof dim v + c.
 namespace ffcontact {
 
+/// The space of all components, in FreeFEM's words.
+constexpr const char* space_in_words(Index dim) {
+  return dim == 2 ? "[P1, P1]" : "[P1, P1, P1]";
+}
+
 template <int dim>
 constexpr int dof_of(int vertex, int component) {
   return dim * vertex + component;

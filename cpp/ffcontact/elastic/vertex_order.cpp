@@ -2,6 +2,7 @@
 #include "ffcontact/elastic/vertex_order.hpp"
 
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/elastic/dofs.hpp"
 
 namespace ffcontact {
 
@@ -35,8 +36,6 @@ const char* components(Index d) {
   return d == 2 ? "u, then v" : "u, v, then w";
 }
 
-const char* space(Index d) { return d == 2 ? "[P1, P1]" : "[P1, P1, P1]"; }
-
 }  // namespace
 
 void require_order_of_vertices(const RowMatrixView& A,
@@ -49,7 +48,7 @@ void require_order_of_vertices(const RowMatrixView& A,
   if (is_by_components(sums))
     refuse("A is numbered by components, ", components(d),
            ", as blocks of scalar spaces are: assemble A and b on one space ",
-           space(d));
+           space_in_words(d));
 }
 
 }  // namespace ffcontact
