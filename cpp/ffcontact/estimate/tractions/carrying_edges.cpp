@@ -1,49 +1,70 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ffcontact/estimate/tractions/carrying_edges.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/law/friction_cone.hpp"
+#include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
 
 namespace {
 
-/// Costs above this much of what tractions gain are far larger.
-constexpr double far_larger = 10;
+/// Costs above this much of what tractions gain are far larger, and larger than what they cost
+/// on another edge.
+constexpr double far_larger = 10, larger = 3;
+/// Tractions below this part of the largest are rounding.
+constexpr double least_traction = 1e-9;
 
-/// Mean costs on an edge of tractions of size 1 along (-1, -mu) and (-1, mu) [mm], or of
-/// (-1, 0) with a bound that is given.
+/// Mean costs on an edge of tractions of size 1 along (-1, -mu) and (-1, mu), or of (-1, 0)
+/// with a bound that is given, over what such tractions gain.
 struct RayCosts {
   double backward_pull, forward_pull;
+
+  double least() const { return std::min(backward_pull, forward_pull); }
 };
 
 RayCosts ray_costs(const ConesAtEnds& least, const ConesAtEnds& most,
-                   const Matrix2d& w) {
+                   const Matrix2d& w, double gain) {
   RayCosts costs{0, 0};
   for (int end = 0; end < 2; ++end) {
     const double mu = least[end].friction, size = std::hypot(1, mu),
                  opening = -w(0, end), slip = w(1, end);
     const double paid = most[end].friction * std::abs(slip) + opening;
-    costs.backward_pull += (paid - mu * slip) / (2 * size);
-    costs.forward_pull += (paid + mu * slip) / (2 * size);
+    costs.backward_pull += (paid - mu * slip) / (2 * size * gain);
+    costs.forward_pull += (paid + mu * slip) / (2 * size * gain);
   }
   return costs;
 }
 
 bool slips_one_way(const Matrix2d& w) { return w(1, 0) * w(1, 1) > 0; }
 
-Carrying carrying(const ConesAtEnds& least, const ConesAtEnds& most,
-                  const Matrix2d& w, double worth) {
-  const RayCosts costs = ray_costs(least, most, w);
-  const bool backward_pays = costs.backward_pull <= worth,
-             forward_pays = costs.forward_pull <= worth;
+Carrying carrying(const ConesAtEnds& cones, const Matrix2d& w,
+                  const RayCosts& costs) {
+  const bool backward_pays = costs.backward_pull <= far_larger,
+             forward_pays = costs.forward_pull <= far_larger;
   if (!backward_pays && !forward_pays) return Carrying::nothing;
   const bool is_one_cone =
-      least[0].friction == least[1].friction && std::isinf(least[0].limit);
+      cones[0].friction == cones[1].friction && std::isinf(cones[0].limit);
   if ((backward_pays && forward_pays) || !is_one_cone || !slips_one_way(w))
     return Carrying::any;
   return backward_pays ? Carrying::slip_forward : Carrying::slip_backward;
+}
+
+/// Of the nodes with tractions: has one an edge that costs little?
+Flags carried_elsewhere(const ContactLine& line,
+                        const std::vector<RayCosts>& costs,
+                        const Ref<const Matrix2Xd>& traction) {
+  const double least = least_traction * max_norm(traction);
+  Flags carried(line.node_count());
+  for (int i = 0; i < line.node_count(); ++i)
+    carried[i] = traction.col(i).norm() <= least;
+  for (int e = 0; e < line.edge_count(); ++e)
+    if (costs[e].least() <= larger)
+      for (const int i : line.edge_node.col(e)) carried[i] = 1;
+  return carried;
 }
 
 }  // namespace
@@ -52,17 +73,25 @@ std::vector<Carrying> carrying_edges(const ContactLine& line,
                                      const ContactLaw<2>& law,
                                      const Ref<const VectorXd>& displacement,
                                      const Ref<const VectorXd>& stiffness,
-                                     double largest) {
+                                     const Ref<const Matrix2Xd>& traction) {
   std::vector<Carrying> result(line.edge_count(), Carrying::any);
+  const double largest = max_norm(traction);
   if (largest == 0) return result;
   const Matrix2Xd w = displacement_against_foundation(line, law, displacement);
+  const auto at_ends = [&](int e) -> Matrix2d {
+    return w(Eigen::all, line.edge_node.col(e));
+  };
+  std::vector<RayCosts> costs(line.edge_count());
+  for (int e = 0; e < line.edge_count(); ++e)
+    costs[e] = ray_costs(least_cones(line, law, e), most_cones(line, law, e),
+                         at_ends(e), largest / stiffness[e]);
+  const Flags elsewhere = carried_elsewhere(line, costs, traction);
   for (int e = 0; e < line.edge_count(); ++e) {
-    Matrix2d on_edge;
-    for (int end = 0; end < 2; ++end)
-      on_edge.col(end) = w.col(line.edge_node(end, e));
-    const double worth = far_larger * largest / stiffness[e];
-    result[e] = carrying(least_cones(line, law, e), most_cones(line, law, e),
-                         on_edge, worth);
+    const bool is_needed =
+        !elsewhere[line.edge_node(0, e)] || !elsewhere[line.edge_node(1, e)];
+    result[e] = costs[e].least() > larger && !is_needed
+                    ? Carrying::nothing
+                    : carrying(least_cones(line, law, e), at_ends(e), costs[e]);
   }
   return result;
 }

@@ -20,7 +20,8 @@ enum class Carrying : char {
 /// part of it by that part of it, and costs in its contact part 2 l int (c |w_t| + r_t . w_t + r_n (w_n - gap)) per |r|. Where
 /// the latter is far larger for tractions as large as the largest of the first r_hat,
 ///     mean of c |w_t| + r_t w_t + r_n (w_n - gap)  >  10 (l / |C|) |r_max| |r|,
-/// no gain pays for it. By the two directions d = (-1, +-mu) that span Coulomb's cone: an
+/// no gain pays for it, nor above 3 of these where other edges, which cost less, have the ends
+/// with tractions: they carry them. By the two directions d = (-1, +-mu) that span Coulomb's cone: an
 /// edge on which both cost as much carries nothing (open, far from contact), one where
 /// one does, and w_t has one sign, carries the other alone, r_t = -+mu |r_n| exactly (slip
 /// that is large beside strains times l), and others are free. Tresca's bound has no such
@@ -30,11 +31,11 @@ enum class Carrying : char {
 /// @param displacement  u_hat on all dofs [mm]
 /// @param stiffness     |C| / l beside each edge [MPa/mm, m], l the length of the solved edge that
 ///                      it is a part of
-/// @param largest       |r_max| [MPa]
+/// @param traction      r_hat at the nodes [MPa, 2 x p]
 std::vector<Carrying> carrying_edges(const ContactLine& line,
                                      const ContactLaw<2>& law,
                                      const Ref<const VectorXd>& displacement,
                                      const Ref<const VectorXd>& stiffness,
-                                     double largest);
+                                     const Ref<const Matrix2Xd>& traction);
 
 }  // namespace ffcontact

@@ -94,7 +94,7 @@ std::optional<ContactDensities> densities_in_cone(
   const Matrix2Xd p = nodal_pressures(solved);
   const std::vector<Carrying> carrying =
       carrying_edges(bodies.contact(), bodies.body().law, u_hat,
-                     stiffness_at_edges(bodies), max_norm(p));
+                     stiffness_at_edges(bodies), bodies.nodal_values(p));
   const auto near = [&](const Matrix2Xd& nodal,
                         const std::vector<Carrying>& edges) {
     return candidate(
