@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ffcontact/contact/law/gaps_in_reach.hpp"
 #include "ffcontact/contact/law/kinetic_friction.hpp"
 #include "ffcontact/contact/law/nodal_pressures.hpp"
 //
@@ -74,9 +75,11 @@ ContactStates states_for_next(const ContactProblem<d>& problem,
                               double tolerance) {
   const ContactSolution<d>& solution = solved.solution;
   if (!problem.kinetic.given()) return solution.state;
+  const VectorXd& u = solution.displacement;
   return states_of_step(
       solution.state, solved.nodes.slip().rowwise().norm(),
-      tolerance * largest_displacement(solved.law, solution.displacement));
+      tolerance *
+          largest_displacement(with_gaps_in_reach(solved.law, max_norm(u)), u));
 }
 
 }  // namespace ffcontact::plugin

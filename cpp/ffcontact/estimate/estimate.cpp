@@ -7,6 +7,7 @@
 
 #include "ffcontact/base/parted_sum.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/contact/law/gaps_in_reach.hpp"
 #include "ffcontact/equilibrium/tractions/free_springs.hpp"
 #include "ffcontact/estimate/bodies/unturned_body.hpp"
 #include "ffcontact/estimate/checks/law_of_matrix.hpp"
@@ -309,6 +310,12 @@ Estimate<d> estimate_error(const Topology<d>& topology,
                            const EstimateSettings<d>& settings) {
   const SolvedProblem<d> solved{topology, contact, system, body};
   require_sound(solved, settings.relaxation);
+  if (const double moved = max_norm(body.displacement);
+      has_far_gaps(body.law, moved)) {
+    SolvedBody<d> in_reach = body;
+    in_reach.law = with_gaps_in_reach(body.law, moved);
+    return estimate_error<d>(topology, contact, system, in_reach, settings);
+  }
   if (body.law.layer.given() && body.law.carried.size() == 0) {
     SolvedBody<d> on_it = body;
     on_it.law = on_layer(body.law, carried_tractions(solved));

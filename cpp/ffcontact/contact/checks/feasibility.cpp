@@ -14,6 +14,7 @@
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/checks/held_apart.hpp"
+#include "ffcontact/contact/law/gaps_in_reach.hpp"
 #include "ffcontact/linear/minimum/nonnegative_least_squares.hpp"
 #include "ffcontact/linear/norms.hpp"
 
@@ -305,7 +306,8 @@ void require_feasible(const Mesh& mesh, const ContactLine& line,
                       const ContactLaw<2>& law, const ElasticSystem& system) {
   const bool on_both_sides = prescribed_on_both_sides(line, system.prescribed);
   if (!on_both_sides && !law.has_bonded()) return;
-  std::vector<Station> all = stations(mesh, line, law);
+  std::vector<Station> all = stations(
+      mesh, line, with_gaps_in_reach(law, mesh, system.prescribed_value));
   require_bonded(mesh, taken_bonded(law, all), system);
   if (all.empty() || !on_both_sides) return;
   Clearance clearance = clearance_of(all, system);

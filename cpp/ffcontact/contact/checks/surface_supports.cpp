@@ -5,6 +5,7 @@
 
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/contact/checks/held_apart.hpp"
+#include "ffcontact/contact/law/gaps_in_reach.hpp"
 #include "ffcontact/elastic/dofs.hpp"
 #include "ffcontact/linear/norms.hpp"
 
@@ -74,8 +75,10 @@ void require_together(const SolidMesh& mesh, const ContactSurface& surface,
 }  // namespace
 
 void require_feasible(const SolidMesh& mesh, const ContactSurface& surface,
-                      const ContactLaw<3>& law, const ElasticSystem& system,
+                      const ContactLaw<3>& given, const ElasticSystem& system,
                       const Flags& held) {
+  const ContactLaw<3> law =
+      with_gaps_in_reach(given, mesh, system.prescribed_value);
   const double least = penetration_of_rounding *
                        largest_displacement(law, system.prescribed_value);
   require_together(mesh, surface, law, system, least);
