@@ -6,6 +6,7 @@
 
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/contact/law/friction_cone.hpp"
+#include "ffcontact/estimate/tractions/loaded_nodes.hpp"
 #include "ffcontact/linear/norms.hpp"
 
 namespace ffcontact {
@@ -15,8 +16,6 @@ namespace {
 /// Costs above this much of what tractions gain are far larger, and larger than what they cost
 /// on another edge.
 constexpr double far_larger = 10, larger = 3;
-/// Tractions below this part of the largest are rounding.
-constexpr double least_traction = 1e-9;
 
 /// Mean costs on an edge of tractions of size 1 along (-1, -mu) and (-1, mu), or of (-1, 0)
 /// with a bound that is given, over what such tractions gain.
@@ -53,18 +52,14 @@ Carrying carrying(const ConesAtEnds& cones, const Matrix2d& w,
   return backward_pays ? Carrying::slip_forward : Carrying::slip_backward;
 }
 
-/// Of the nodes with tractions: has one an edge that costs little?
-Flags carried_elsewhere(const ContactLine& line,
-                        const std::vector<RayCosts>& costs,
-                        const Ref<const Matrix2Xd>& traction) {
-  const double least = least_traction * max_norm(traction);
-  Flags carried(line.node_count());
-  for (int i = 0; i < line.node_count(); ++i)
-    carried[i] = traction.col(i).norm() <= least;
+/// Has a node tractions, and no edge that costs little?
+Flags nodes_in_need(const ContactLine& line, const std::vector<RayCosts>& costs,
+                    const Ref<const Matrix2Xd>& traction) {
+  Flags in_need = loaded_nodes(traction);
   for (int e = 0; e < line.edge_count(); ++e)
     if (costs[e].least() <= larger)
-      for (const int i : line.edge_node.col(e)) carried[i] = 1;
-  return carried;
+      for (const int i : line.edge_node.col(e)) in_need[i] = 0;
+  return in_need;
 }
 
 }  // namespace
@@ -85,10 +80,10 @@ std::vector<Carrying> carrying_edges(const ContactLine& line,
   for (int e = 0; e < line.edge_count(); ++e)
     costs[e] = ray_costs(least_cones(line, law, e), most_cones(line, law, e),
                          at_ends(e), largest / stiffness[e]);
-  const Flags elsewhere = carried_elsewhere(line, costs, traction);
+  const Flags in_need = nodes_in_need(line, costs, traction);
   for (int e = 0; e < line.edge_count(); ++e) {
     const bool is_needed =
-        !elsewhere[line.edge_node(0, e)] || !elsewhere[line.edge_node(1, e)];
+        in_need[line.edge_node(0, e)] || in_need[line.edge_node(1, e)];
     result[e] = costs[e].least() > larger && !is_needed
                     ? Carrying::nothing
                     : carrying(least_cones(line, law, e), at_ends(e), costs[e]);

@@ -6,6 +6,7 @@
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/estimate/tractions/cone_projection.hpp"
+#include "ffcontact/estimate/tractions/loaded_nodes.hpp"
 #include "ffcontact/estimate/tractions/surface_tractions.hpp"
 #include "ffcontact/linear/norms.hpp"
 
@@ -15,8 +16,6 @@ namespace {
 
 /// Costs of openings above this much of what tractions gain are far larger.
 constexpr double far_open = 3;
-/// Tractions below this part of the largest are rounding.
-constexpr double least_traction = 1e-9;
 
 /// o of each node of a face whose vertices open by so much.
 Vector3d mean_openings(const Vector3d& opening) {
@@ -55,14 +54,6 @@ Flags open_far(const MatchedBodies<3>& bodies, const Ref<const VectorXd>& u_hat,
         far[i] |= o[k] > far_open * largest * give(bodies, m, i);
   }
   return far;
-}
-
-/// Which nodes have tractions beyond rounding?
-Flags loaded_nodes(const Ref<const Matrix3Xd>& traction, double largest) {
-  Flags loaded(traction.cols());
-  for (Index i = 0; i < traction.cols(); ++i)
-    loaded[i] = traction.col(i).norm() > least_traction * largest;
-  return loaded;
 }
 
 /// What of the tractions asks for contact: not Tresca's friction.
@@ -119,7 +110,7 @@ CarryingNodes carrying_nodes(const MatchedBodies<3>& bodies,
   const Matrix3Xd pressing = of_contact(cones, traction);
   const double largest = max_norm(traction);
   const Flags far = open_far(bodies, u_hat, largest),
-              loaded = loaded_nodes(pressing, largest);
+              loaded = loaded_nodes(pressing);
   const Handing handing{bodies.contact(), far, loaded};
   const VectorXd takers = handing.takers();
   CarryingNodes result{traction + handing.handed(pressing, takers),
