@@ -268,6 +268,9 @@ ActiveSetResult solve_convex(const CondensedContact& contact,
   if (newton.status == ContactStatus::converged || left <= 0) return newton;
   ActiveSetResult convex =
       convex_contact(contact, law, settings.with_at_most(left));
+  if (newton.status == ContactStatus::singular &&
+      convex.status != ContactStatus::converged)
+    convex.status = newton.status;
   ActiveSetResult& better = convex.is_better_than(newton) ? convex : newton;
   better.iterations = newton.iterations + convex.iterations;
   return better;

@@ -89,7 +89,8 @@ class Iteration {
     ActiveSetResult step =
         solve_convex(contact_, given, state_, {left(), settings_.tolerance});
     systems_ += step.iterations;
-    const bool same_states = step.state == state_;
+    const bool same_states = step.state == state_,
+               slides = step.status == ContactStatus::singular;
     state_ = step.state;
     if (law_.is_convex())
       g_.stay();
@@ -103,7 +104,8 @@ class Iteration {
       put_into_law(law_, result_.answer.state, result_.answer.P);
       return true;
     }
-    result_.answer.status = ContactStatus::not_converged;
+    result_.answer.status =
+        slides ? ContactStatus::singular : ContactStatus::not_converged;
     return with_newton_ && !same_states && left() > 0 && newton_ends();
   }
 
