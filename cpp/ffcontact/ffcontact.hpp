@@ -35,7 +35,7 @@
 #include "ffcontact/elastic/stiffness.hpp"
 #include "ffcontact/estimate/estimate.hpp"
 #include "ffcontact/estimate/stress_on_triangles.hpp"
-#include "ffcontact/interface/joined_lines.hpp"
+#include "ffcontact/interface/joined_contact.hpp"
 #include "ffcontact/interface/line_ends.hpp"
 #include "ffcontact/interface/pairing/facing_line.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"

@@ -8,8 +8,7 @@
 #include "ffcontact/base/appended.hpp"
 #include "ffcontact/contact/law/kinetic_friction.hpp"
 #include "ffcontact/estimate/bodies/solved_body.hpp"
-#include "ffcontact/interface/joined_lines.hpp"
-#include "ffcontact/interface/joined_surfaces.hpp"
+#include "ffcontact/interface/joined_contact.hpp"
 
 namespace ffcontact::plugin {
 
@@ -31,11 +30,10 @@ struct Carrier : std::conditional_t<d == 2, OfLine, OfSurface> {
   std::vector<long> own_vertex;
 };
 
-inline ContactLine as_one(std::vector<ContactLine> lines) {
-  return lines.size() == 1 ? std::move(lines.front()) : joined_lines(lines);
-}
-inline ContactSurface as_one(const std::vector<ContactSurface>& surfaces) {
-  return joined_surfaces(surfaces);
+template <int d>
+LineOrSurface<d> as_one(std::vector<LineOrSurface<d>> parts) {
+  return parts.size() == 1 ? std::move(parts.front())
+                           : joined_contact<d>(parts);
 }
 
 /// Values of each node or edge of two pairs: where only one of them has any, those of the other

@@ -171,7 +171,7 @@ void ContactProblem<d>::join_carriers() {
     append_stated(carrier, all);
     first_node.push_back(count_of(all.own_vertex));
   }
-  all.contact = as_one(std::move(contacts));
+  all.contact = as_one<d>(std::move(contacts));
   if (!all.law.has_bonded()) all.law.bonded.clear();
   if (previous_.size() > 0)
     all.law.previous = without_bonded<d, Matrix<double, d - 1, Dynamic>>(

@@ -166,7 +166,7 @@ TEST(MultigridEdges, are_left_to_a_factor_where_they_are_faced) {
   const FacingSurface beside =
       facing(problem.mesh, problem.faces, corner.label(2, low_z),
              corner.label(1, high_z));
-  problem.surface = joined_surfaces({problem.surface, beside.surface});
+  problem.surface = joined_contact<3>({problem.surface, beside.surface});
   const int nodes = problem.surface.node_count();
   problem.law.gap.conservativeResize(nodes);
   problem.law.gap.tail(beside.gap.size()).setZero();

@@ -68,8 +68,8 @@ struct ThreeAround {
           .surface;
     };
     problem.surface =
-        joined_surfaces({pair(0, low_z, 1, high_z), pair(0, low_z, 2, high_z),
-                         pair(1, cut_label, 2, cut_label)});
+        joined_contact<3>({pair(0, low_z, 1, high_z), pair(0, low_z, 2, high_z),
+                           pair(1, cut_label, 2, cut_label)});
     problem.law.friction =
         VectorXd::Constant(problem.surface.node_count(), friction);
     press(problem, joined.label(0, high_z), joined.label(1, low_z),

@@ -8,7 +8,7 @@
 #include "ffcontact/contact/contact_solution.hpp"
 #include "ffcontact/contact/rigid_tool.hpp"
 #include "ffcontact/estimate/estimate.hpp"
-#include "ffcontact/interface/joined_lines.hpp"
+#include "ffcontact/interface/joined_contact.hpp"
 #include "ffcontact/interface/line_ends.hpp"
 #include "ffcontact/interface/pairing/facing_line.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"

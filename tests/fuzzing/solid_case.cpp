@@ -244,7 +244,7 @@ class Builder {
           dice_.chance(0.2) ? dice_.decades(1e-5, 1e-2) * size_ : 0);
     else
       for (int k = 0; k + 1 < body_count(); ++k) surfaces.add(pair(k));
-    problem_.surface = joined_surfaces(surfaces.all);
+    problem_.surface = joined_contact<3>(surfaces.all);
     problem_.law.gap = Eigen::Map<const VectorXd>(
         surfaces.gap.data(), static_cast<Index>(surfaces.gap.size()));
     if (problem_.law.gap.isZero(0)) problem_.law.gap.resize(0);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ffcontact/elastic/stiffness.hpp"
-#include "ffcontact/interface/joined_lines.hpp"
+#include "ffcontact/interface/joined_contact.hpp"
 #include "ffcontact/interface/line_ends.hpp"
 #include "ffcontact/interface/pairing/facing_line.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
@@ -61,7 +61,7 @@ inline Bodies bodies(const std::vector<Mesh>& meshes,
     const VectorXd gap = facing_gap(lines.back());
     gaps.insert(gaps.end(), gap.begin(), gap.end());
   }
-  problem.line = joined_lines(lines);
+  problem.line = joined_contact<2>(lines);
   problem.law.friction = everywhere(problem.line, 0);
   problem.law.gap = Map<VectorXd>(gaps.data(), static_cast<Index>(gaps.size()));
   return result;

@@ -30,7 +30,7 @@ inline Bodies bonded_bodies(const std::vector<Mesh>& meshes,
   Bodies result = bodies(meshes, materials, pairs);
   std::vector<ContactLine> lines;
   for (const Pair& pair : pairs) lines.push_back(bonded_pair(result, pair));
-  result.problem.line = joined_lines(lines);
+  result.problem.line = joined_contact<2>(lines);
   result.problem.law = bonded_law<2>(result.problem.line.node_count());
   return result;
 }
@@ -57,7 +57,7 @@ inline Bodies partly_bonded_bodies(const std::vector<Mesh>& meshes,
   law.friction = without(
       is_bonded, VectorXd(VectorXd::Constant(count_of(is_bonded), friction)));
   law.bonded = is_bonded;
-  result.problem.line = joined_lines(lines);
+  result.problem.line = joined_contact<2>(lines);
   result.problem.law = law;
   return result;
 }

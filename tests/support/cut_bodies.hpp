@@ -21,7 +21,7 @@ struct CutBodies {
     Problem& problem = two.problem;
     const ContactLine foundation =
         contact_line(problem.mesh, problem.edges, {two.label(0, left)});
-    problem.line = joined_lines({problem.line, foundation});
+    problem.line = joined_contact<2>({problem.line, foundation});
     problem.law.friction = everywhere(problem.line, 0);
     problem.law.gap = everywhere(problem.line, 0);
     refinement = common_refinement(problem.mesh, problem.edges, problem.line);

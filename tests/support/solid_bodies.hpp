@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "ffcontact/interface/joined_surfaces.hpp"
+#include "ffcontact/interface/joined_contact.hpp"
 #include "ffcontact/interface/pairing/facing_surface.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
 #include "support/solid_problems.hpp"
@@ -46,7 +46,7 @@ struct SolidStack {
       surfaces.push_back(pair.surface);
       gap.insert(gap.end(), pair.gap.begin(), pair.gap.end());
     }
-    problem.surface = joined_surfaces(surfaces);
+    problem.surface = joined_contact<3>(surfaces);
     problem.law.friction =
         VectorXd::Constant(problem.surface.node_count(), friction);
     problem.law.gap = Map<VectorXd>(gap.data(), problem.surface.node_count());

@@ -95,7 +95,7 @@ struct SolidCorner {
       surfaces.push_back(pair.surface);
       gap.insert(gap.end(), pair.gap.begin(), pair.gap.end());
     }
-    problem.surface = joined_surfaces(surfaces);
+    problem.surface = joined_contact<3>(surfaces);
     const int nodes = problem.surface.node_count();
     problem.law.friction = VectorXd::Constant(nodes, mu);
     problem.law.gap = Map<VectorXd>(gap.data(), nodes);

@@ -6,15 +6,17 @@
 /// What comes later, behind what is there.
 namespace ffcontact {
 
-inline void append(const Ref<const VectorXd>& values, VectorXd& all) {
+template <class Values, class Value>
+void append(const Eigen::MatrixBase<Values>& values,
+            Matrix<Value, Dynamic, 1>& all) {
   all.conservativeResize(all.size() + values.size());
   all.tail(values.size()) = values;
 }
 
 /// Columns.
-template <int rows>
-void append(const Matrix<double, rows, Dynamic>& columns,
-            Matrix<double, rows, Dynamic>& all) {
+template <class Value, int rows>
+void append(const Matrix<Value, rows, Dynamic>& columns,
+            Matrix<Value, rows, Dynamic>& all) {
   all.conservativeResize(Eigen::NoChange, all.cols() + columns.cols());
   all.rightCols(columns.cols()) = columns;
 }

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "ffcontact/base/appended.hpp"
-#include "ffcontact/interface/joined_surfaces.hpp"
+#include "ffcontact/interface/joined_contact.hpp"
 #include "support/bonded.hpp"
 #include "support/bonded_solids.hpp"
 
@@ -94,7 +94,7 @@ void expect_same(const ContactLine& part, const ContactLine& whole) {
 TEST(ContactSubset, of_joined_lines_are_these_lines) {
   const TwoLines two;
   const int n = two.first.node_count();
-  const ContactLine all = joined_lines({two.first, two.second});
+  const ContactLine all = joined_contact<2>({two.first, two.second});
   for (const bool bonded_first : {true, false}) {
     const ContactLaw<2> first = numbered_law<2>(n, 1, bonded_first),
                         second = numbered_law<2>(two.second.node_count(), 50,
@@ -124,7 +124,7 @@ TEST(ContactSubset, of_joined_surfaces_are_these_surfaces) {
                    other = bonded_bricks({2, 2, 1}, {3, 3, 1});
   const ContactSurface &first = one.problem.surface,
                        &second = other.problem.surface;
-  const ContactSurface all = joined_surfaces({first, second});
+  const ContactSurface all = joined_contact<3>({first, second});
   const ContactLaw<3> law =
       joined(numbered_law<3>(first.node_count(), 1, true),
              numbered_law<3>(second.node_count(), 50, false));

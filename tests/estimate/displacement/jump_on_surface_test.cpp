@@ -204,7 +204,7 @@ double left_of_a_row(const SolidField& below) {
         .surface;
   };
   const ContactSurface surface =
-      joined_surfaces({pair(0, low_z, 1, high_z), pair(2, low_x, 0, high_x)});
+      joined_contact<3>({pair(0, low_z, 1, high_z), pair(2, low_x, 0, high_x)});
   SolidProblem problem(joined.mesh, 0, {joined.label(0, low_z)});
   SolvedBody<3> body = solved_solid(problem, {});
   body.displacement = nodal_values(joined.mesh, below);

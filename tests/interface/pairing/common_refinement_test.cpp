@@ -175,7 +175,7 @@ TEST(CommonRefinement, leaves_a_line_that_faces_no_body_as_it_is) {
   Problem& problem = refined.two.problem;
   const ContactLine free =
       contact_line(problem.mesh, problem.edges, {refined.two.label(1, bottom)});
-  const ContactLine both = joined_lines({free, problem.line});
+  const ContactLine both = joined_contact<2>({free, problem.line});
   const CommonRefinement fine =
       common_refinement(problem.mesh, problem.edges, both);
   EXPECT_EQ(fine.line.edge_count(), 2 + refined.fine.line.edge_count());

@@ -75,7 +75,7 @@ TEST(MatchingFaces, face_one_body_alone) {
   Random random(1);
   const SolidProblem problem = halves(0, random).problem;
   const ContactSurface twice =
-      joined_surfaces({problem.surface, problem.surface});
+      joined_contact<3>({problem.surface, problem.surface});
   for (const MatchingFace& match :
        matching_faces(problem.mesh, problem.faces, twice))
     EXPECT_EQ(match.face, -1);
