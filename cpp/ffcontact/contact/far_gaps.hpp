@@ -19,9 +19,9 @@ inline bool are_open(const ContactStates& state, const VectorXd& gap,
 }
 
 /// The solution of a law some gaps of which may be far (has_far_gaps). These are cut, and the
-/// problem is solved again: where these nodes are open it is the same problem. As displacements may have been
-/// wrong this is done until gaps are in proportion. Not of pressures, whose law is that of
-/// means over several nodes.
+/// problem is solved again: where these nodes are open it is the same problem. As
+/// displacements may have been wrong this is done until gaps are in proportion. Not of
+/// pressures, whose law is that of means over several nodes.
 /// @param solve  solve(law, settings)
 template <int d, class Solve>
 ContactSolution<d> solved_with_far_gaps(const ContactLaw<d>& law,

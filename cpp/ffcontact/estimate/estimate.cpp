@@ -310,6 +310,7 @@ Estimate<d> estimate_error(const Topology<d>& topology,
                            const EstimateSettings<d>& settings) {
   const SolvedProblem<d> solved{topology, contact, system, body};
   require_sound(solved, settings.relaxation);
+  // Rounding of r_n would cost as much as it is times a gap that never closes.
   if (const double moved = max_norm(body.displacement);
       has_far_gaps(body.law, moved)) {
     SolvedBody<d> in_reach = body;
