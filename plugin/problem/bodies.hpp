@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
+#include "ffcontact/base/require.hpp"
 #include "ffcontact/mesh/facets.hpp"
 #include "ffcontact/mesh/joined_mesh.hpp"
 //
@@ -45,8 +47,13 @@ struct Bodies : BodyDofs {
   static JoinedBodies<d> joined_mesh_of(const FemMeshes<d>& fem_meshes) {
     std::vector<SimplexMesh<d>> meshes;
     meshes.reserve(fem_meshes.size());
-    for (const FemMesh<d>* fem_mesh : fem_meshes)
+    for (const FemMesh<d>* fem_mesh : fem_meshes) {
+      if (std::count(fem_meshes.begin(), fem_meshes.end(), fem_mesh) > 1)
+        refuse(
+            "two bodies have one mesh, and would move apart from each other: "
+            "cut a body that touches itself in two, which bonded=true joins");
       meshes.push_back(mesh_of(fem_mesh));
+    }
     return joined_mesh(meshes);
   }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem/systems.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "ffcontact/base/require.hpp"
@@ -30,6 +31,8 @@ VectorXd joined_displacement(const BodyDofs& bodies,
                              const std::vector<KN<double>*>& u) {
   VectorXd displacement(bodies.dof_count());
   for (int k = 0; k < bodies.body_count(); ++k) {
+    if (std::count(u.begin(), u.end(), u[k]) > 1)
+      refuse("u is one array of several bodies: give each body its own");
     bodies.require_dofs("u", k, u[k]->N());
     displacement.segment(bodies.first_dof(k), bodies.dof_count(k)) =
         vector_of(u[k]);

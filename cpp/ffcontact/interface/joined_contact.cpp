@@ -50,17 +50,23 @@ void append_entries(const SparseMatrix& matrix, Index first,
 
 /// What facets have: of lines and of surfaces.
 struct ContactFacets {
+  static void append_parts(const ContactLine& line, ContactLine& all) {
+    if (all.part.size() == 0 && line.part.size() == 0) return;
+    all.part = parts_of(all);
+    append(parts_of(line), all.part);
+  }
+
+  static void append_opposite_edges(const ContactLine& line, ContactLine& all) {
+    if (all.opposite_edge.size() == 0 && line.opposite_edge.size() == 0) return;
+    all.opposite_edge = opposite_edges(all);
+    append(opposite_edges(line), all.opposite_edge);
+  }
+
   static void append_to(const ContactLine& line, ContactLine& all) {
     append_facing(line.pieces, &FacingPiece::contact_edge, all.edge_count(),
                   all.pieces);
-    if (all.part.size() > 0 || line.part.size() > 0) {
-      all.part = parts_of(all);
-      append(parts_of(line), all.part);
-    }
-    if (all.opposite_edge.size() > 0 || line.opposite_edge.size() > 0) {
-      all.opposite_edge = opposite_edges(all);
-      append(opposite_edges(line), all.opposite_edge);
-    }
+    append_parts(line, all);
+    append_opposite_edges(line, all);
     append(behind(all.node_count(), line.edge_node), all.edge_node);
     append(line.edge, all.edge);
     append(line.length, all.length);
