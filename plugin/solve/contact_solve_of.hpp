@@ -14,6 +14,7 @@
 #include "solve/last_nodes.hpp"
 #include "solve/load_step.hpp"
 #include "solve/locking.hpp"
+#include "solve/other_mesh.hpp"
 #include "solve/solve_report.hpp"
 
 /// The body of solve_here.
@@ -94,8 +95,11 @@ ContactSettings put_problem(const SolveCall& call, const ContactOf<d>& contact,
   ContactSettings settings =
       settings_of(call, contact, solved, std::move(last));
   // a system that is at hand has been asked
-  if (!settings.stiffness)
+  if (!settings.stiffness) {
+    warn_of_other_mesh(problem.mesh, *solved.system,
+                       problem.joined.first_vertex);
     SolveOf<d>::warn_that_cells_lock(problem, *solved.system);
+  }
   return settings;
 }
 

@@ -7,6 +7,7 @@
 #include "ffcontact/base/flags.hpp"
 #include "ffcontact/base/over.hpp"
 #include "ffcontact/base/require.hpp"
+#include "ffcontact/mesh/boundary_vertices.hpp"
 //
 #include "freefem/progress_lines.hpp"
 #include "freefem/views.hpp"
@@ -42,8 +43,7 @@ bool is_same(const RowMatrix& A, const RowMatrix& B) {
 /// The vertices inside a body.
 template <int dim>
 std::vector<int> inner_vertices(const SimplexMesh<dim>& mesh) {
-  Flags on_boundary(mesh.vertices.cols(), 0);
-  for (int v : mesh.boundary.reshaped()) on_boundary[v] = 1;
+  const Flags on_boundary = boundary_vertices(mesh);
   return numbers_where(mesh.vertex_count(),
                        [&](int v) { return !on_boundary[v]; });
 }

@@ -194,7 +194,8 @@ prints_what_it_expects "$1" $script
 printed=$("$1" $script -level 0)
 [ -z "$printed" ] || fails "printed at verbosity 0: $printed"
 
-# What statements say at verbosity 1 of the curves of plane bodies, and what is warned of at any verbosity: cells that lock.
+# What statements say at verbosity 1 of the curves of plane bodies, and what is warned of at any verbosity: cells that lock,
+# matrices of other meshes.
 script=doubts.edp
 cat >$script <<'EOF'
 include "ffcontact.idp"
@@ -331,6 +332,19 @@ for (int k = 0; k < 3; ++k) {
   contact C(Tt, label=5, friction=0);
   if (k == 1) expect("contactsolve: the material is nearly incompressible (nu 0.495), and linear tetrahedra lock: *, or lower nu to 0.48");
   contactsolve(C, A, b, u[]);
+}
+
+// A matrix of a mesh that has moved since the contact was stated: once, and not where it has moved a little.
+fespace Vl(Tl, [P1, P1]);
+varf soft([u, v], [r, s]) = int2d(Tl)(dx(u)*dx(r) + dy(v)*dy(s) + 0.5*(dy(u) + dx(v))*(dy(r) + dx(s))) + on(3, u=0, v=-0.01);
+contact Cl(Tl, label=1, friction=0);
+for (int k = 0; k < 3; ++k) {
+  Tl = movemesh(Tl, [x, y*(k == 0 ? 1.001 : 1.5)]);
+  Vl [u, v];
+  matrix A = soft(Vl, Vl);
+  real[int] b = soft(0, Vl);
+  if (k == 1) expect("contactsolve: A resists a rotation of the mesh that the contact was stated on: * C = contact(Th, ...)");
+  contactsolve(Cl, A, b, u[]);
 }
 EOF
 prints_what_it_expects "$1" $script

@@ -48,6 +48,15 @@ void append_entries(const SparseMatrix& matrix, Index first,
       entries.emplace_back(first + entry.row(), first + j, entry.value());
 }
 
+/// The matrix of two parts that have no entries in common.
+SparseMatrix with_block(const SparseMatrix& first, const SparseMatrix& second) {
+  Triplets entries;
+  append_entries(first, 0, entries);
+  append_entries(second, first.rows(), entries);
+  const Index rows = first.rows() + second.rows();
+  return packed(rows, rows, entries);
+}
+
 /// What facets have: of lines and of surfaces.
 struct ContactFacets {
   static void append_parts(const ContactLine& line, ContactLine& all) {
@@ -77,11 +86,7 @@ struct ContactFacets {
   static void append_to(const ContactSurface& surface, ContactSurface& all) {
     append_facing(surface.polygons, &FacingPolygon::contact_face,
                   all.face_count(), all.polygons);
-    const Index nodes = all.node_count(), both = nodes + surface.node_count();
-    Triplets mass;
-    append_entries(all.mass, 0, mass);
-    append_entries(surface.mass, nodes, mass);
-    all.mass = packed(both, both, mass);
+    all.mass = with_block(all.mass, surface.mass);
     append(behind(all.node_count(), surface.face_node), all.face_node);
     append(surface.face, all.face);
     append(surface.area, all.area);

@@ -5,6 +5,7 @@
 #include "ffcontact/base/require.hpp"
 #include "ffcontact/equilibrium/tractions/facet_loads.hpp"
 #include "ffcontact/estimate/checks/forces_of_matrix.hpp"
+#include "ffcontact/mesh/boundary_vertices.hpp"
 
 namespace ffcontact {
 
@@ -17,8 +18,7 @@ void require_springs_of_matrix(const SimplexMesh<d>& mesh,
                                const StatedForces& forces,
                                const Comparison& comparison, bool given,
                                Index dof) {
-  Flags on_boundary(mesh.vertex_count(), 0);
-  for (const int v : mesh.boundary.reshaped()) on_boundary[v] = 1;
+  const Flags on_boundary = boundary_vertices(mesh);
   for (Index k = 0; k < comparison.off.size(); ++k)
     if (comparison.off[k] > stiffness_tolerance && !on_boundary[k / d]) return;
   const double added = row_beyond_law(system, forces, dof)[dof];
