@@ -2,13 +2,12 @@
 #pragma once
 
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "ffcontact/base/appended.hpp"
 #include "ffcontact/contact/law/kinetic_friction.hpp"
 #include "ffcontact/estimate/bodies/solved_body.hpp"
-#include "ffcontact/interface/joined_contact.hpp"
+#include "ffcontact/interface/line_or_surface.hpp"
 
 namespace ffcontact::plugin {
 
@@ -29,12 +28,6 @@ struct Carrier : std::conditional_t<d == 2, OfLine, OfSurface> {
   /// of each node, or nearest to what it faces, in the mesh of the body that comes first
   std::vector<long> own_vertex;
 };
-
-template <int d>
-LineOrSurface<d> as_one(std::vector<LineOrSurface<d>> parts) {
-  return parts.size() == 1 ? std::move(parts.front())
-                           : joined_contact<d>(parts);
-}
 
 /// Values of each node or edge of two pairs: where only one of them has any, those of the other
 /// one are 0.

@@ -10,6 +10,7 @@
 
 #include "ffcontact/base/packed.hpp"
 #include "ffcontact/contact/checks/compliance_ratio.hpp"
+#include "ffcontact/interface/joined_contact.hpp"
 #include "ffcontact/mesh/topology.hpp"
 //
 #include "problem/contact_statement.hpp"
@@ -171,7 +172,7 @@ void ContactProblem<d>::join_carriers() {
     append_stated(carrier, all);
     first_node.push_back(count_of(all.own_vertex));
   }
-  all.contact = as_one<d>(std::move(contacts));
+  all.contact = joined_contact<d>(contacts);
   if (!all.law.has_bonded()) all.law.bonded.clear();
   if (previous_.size() > 0)
     all.law.previous = without_bonded<d, Matrix<double, d - 1, Dynamic>>(

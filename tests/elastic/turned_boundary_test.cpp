@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <utility>
+
 #include "ffcontact/elastic/stiffness.hpp"
 #include "support/irregular_bodies.hpp"
 

@@ -153,7 +153,7 @@ void put_lines(const Case& problem, Assembled& parts) {
     }
     lines.push_back(line);
   }
-  parts.line = lines.size() == 1 ? lines.front() : joined_contact<2>(lines);
+  parts.line = joined_contact<2>(lines);
   parts.law.gap = Map<VectorXd>(gaps.data(), static_cast<Index>(gaps.size()));
 }
 

@@ -310,18 +310,17 @@ Estimate<d> estimate_error(const Topology<d>& topology,
                            const EstimateSettings<d>& settings) {
   const SolvedProblem<d> solved{topology, contact, system, body};
   require_sound(solved, settings.relaxation);
+  const auto with_law = [&](const ContactLaw<d>& law) {
+    SolvedBody<d> same = body;
+    same.law = law;
+    return estimate_error<d>(topology, contact, system, same, settings);
+  };
   // Rounding of r_n would cost as much as it is times a gap that never closes.
   if (const double moved = max_norm(body.displacement);
-      has_far_gaps(body.law, moved)) {
-    SolvedBody<d> in_reach = body;
-    in_reach.law = with_gaps_in_reach(body.law, moved);
-    return estimate_error<d>(topology, contact, system, in_reach, settings);
-  }
-  if (body.law.layer.given() && body.law.carried.size() == 0) {
-    SolvedBody<d> on_it = body;
-    on_it.law = on_layer(body.law, carried_tractions(solved));
-    return estimate_error<d>(topology, contact, system, on_it, settings);
-  }
+      has_far_gaps(body.law, moved))
+    return with_law(with_gaps_in_reach(body.law, moved));
+  if (body.law.layer.given() && body.law.carried.size() == 0)
+    return with_law(on_layer(body.law, carried_tractions(solved)));
   require_law_of_matrix<d>(topology.mesh, system, body.hooke, body.springs);
   const StressTerms terms = stress_terms_of(solved);
   if (!terms.unstressed) return straightened(solved, terms, settings);

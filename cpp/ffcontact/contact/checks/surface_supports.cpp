@@ -75,16 +75,16 @@ void require_together(const SolidMesh& mesh, const ContactSurface& surface,
 }  // namespace
 
 void require_feasible(const SolidMesh& mesh, const ContactSurface& surface,
-                      const ContactLaw<3>& given, const ElasticSystem& system,
+                      const ContactLaw<3>& law, const ElasticSystem& system,
                       const Flags& held) {
-  const ContactLaw<3> law =
-      with_gaps_in_reach(given, mesh, system.prescribed_value);
+  const ContactLaw<3> near =
+      with_gaps_in_reach(law, mesh, system.prescribed_value);
   const double least = penetration_of_rounding *
-                       largest_displacement(law, system.prescribed_value);
-  require_together(mesh, surface, law, system, least);
+                       largest_displacement(near, system.prescribed_value);
+  require_together(mesh, surface, near, system, least);
   for (int i = 0; i < surface.node_count(); ++i) {
     if (law.is_bonded(i)) continue;
-    const double depth = held[3 * i] ? held_depth(surface, law, system, i) : 0;
+    const double depth = held[3 * i] ? held_depth(surface, near, system, i) : 0;
     if (depth > least)
       refuse(
           "no admissible displacement: prescribed displacements hold vertex ",
